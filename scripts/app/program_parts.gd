@@ -5,17 +5,17 @@ extends RefCounted
 ##
 ## Parts are paths, so that a program compiles those of its own role only.
 
-## Who has a part.
+## The roles that have a part.
 enum Who {
 	## Every client.
 	ALL,
-	## Who takes part in a session of a server.
+	## Roles that take part in a session of a server.
 	LIVE,
-	## Who plays a recording.
+	## Roles that play a recording.
 	REPLAY,
-	## Who sends motion.
+	## Roles that send motion.
 	MOVES,
-	## Who gives orders.
+	## Roles that give orders.
 	MODERATES,
 }
 

@@ -3,9 +3,9 @@ extends RefCounted
 ## When and from where the shock wave of a bullet reaches an ear: only those beside its path hear
 ## it, before the muzzle.
 
-## Farther from the path it is not heard, m.
+## Distance from the path beyond which the crack is not heard, m.
 const MAX_BESIDE_M: float = 150.0
-## Nearer to the muzzle than this it is one with the blast, m.
+## Distance from the muzzle below which the crack is one with the blast, m.
 const MIN_AHEAD_M: float = 8.0
 
 ## Whether the ear hears it.

@@ -3,21 +3,21 @@ extends RefCounted
 ## Sounds of things that hit and rub one another, by what they are made of (the sound key of a
 ## contact material) and how hard.
 
-## A weaker impact is not heard, N s; and from this one on it gets no louder.
+## Impulse below which an impact is not heard, and above which it gets no louder, N s.
 const MIN_IMPULSE: float = 0.15
 const MAX_IMPULSE: float = 2000.0
-## Level of an impact of 1 N s beside that of its sound, dB, and of the softer material beside the
+## Level of an impact of 1 N s relative to its sound, dB, and of the softer material relative to the
 ## harder one.
 const _UNIT_DB: float = -14.0
 const _SECOND_DB: float = -5.0
 ## Most scrapes at once.
 const MAX_SCRAPES: int = 12
-## How long one goes on without news, s: they come each 0.1 s, and one may be lost. From when on it
-## fades meanwhile, s, and how fast, dB/s.
+## Time that a scrape goes on without news, s (they come each 0.1 s, and one may be lost), time
+## after which it fades meanwhile, s, and how fast, dB/s.
 const SCRAPE_S: float = 0.32
 const _FADE_FROM_S: float = 0.22
 const _FADE_DB_S: float = 300.0
-## Rubbing at this speed (m/s) and force (N) is as loud as its sound.
+## Speed (m/s) and force (N) at which a scrape has its recorded level.
 const _SCRAPE_SPEED: float = 1.0
 const _SCRAPE_FORCE: float = 200.0
 ## Heavy things sound deeper: share of the pitch for each tenfold impulse, and the bounds.
@@ -58,8 +58,8 @@ func _init(p_voices: SoundVoices) -> void:
 	_voices = p_voices
 
 
-## Plays an impact of two materials (sound keys) at a place (m), N s. [param p_pair] stands for the
-## two things: what they do within 50 ms is one sound; 0: of the place.
+## Plays an impact of two materials (sound keys) at a position (m), N s. [param p_pair] stands for
+## the two things: what they do within 50 ms is one sound; 0: of the position.
 func play_impact(
 	p_first: StringName, p_second: StringName, p_place: Vector3, p_impulse: float, p_pair: int = 0
 ) -> void:
@@ -83,7 +83,7 @@ static func gain_of(p_impulse: float) -> float:
 	return _UNIT_DB + linear_to_db(clampf(p_impulse, MIN_IMPULSE, MAX_IMPULSE))
 
 
-## Two things rub at a place (m) with a speed (m/s) and a force (N). Call it as long as they do,
+## Two things rub at a position (m) with a speed (m/s) and a force (N). Call it as long as they do,
 ## with the same number of the pair.
 func set_scrape(
 	p_pair: int,

@@ -1,13 +1,14 @@
 class_name RoomProbe
 extends RefCounted
-## How large and how hard the room around a place is, by a few rays: what reverberation needs.
+## Estimates by a few rays how large and how hard the room around a position is: what reverberation
+## needs.
 
-## A ray that meets nothing within this is open, m.
+## Length of the rays, m: one that meets nothing is open.
 const REACH_M: float = 45.0
-## Reverberation times that are made, s.
+## Range of the reverberation times, s.
 const MIN_TIME_S: float = 0.25
 const MAX_TIME_S: float = 6.0
-## Share of the rays that must meet something for a place to count as a room.
+## Share of the rays that must meet something for a position to count as a room.
 const ENCLOSED: float = 0.6
 ## Directions of the rays: corners and faces of a cube.
 const _DIRECTIONS: Array[Vector3] = [
@@ -31,7 +32,7 @@ var enclosure: float = 0.0
 var mean_path_m: float = REACH_M
 ## Mean share of the sound that the walls swallow, 0 to 1.
 var absorption: float = 0.1
-## What a collider at a place swallows, 0 to 1: [code]func(collider: Object, place: Vector3) ->
+## Absorption of a collider at a position, 0 to 1: [code]func(collider: Object, place: Vector3) ->
 ## float[/code]; none: 0.1 everywhere.
 var absorption_of: Callable = Callable()
 
@@ -49,7 +50,7 @@ func _init() -> void:
 	_swallowed.fill(1.0)
 
 
-## Sends the next rays from a place, m; after 12 of them all directions are known.
+## Sends the next rays from a position, m; after 12 of them all directions are known.
 func look(p_space: PhysicsDirectSpaceState3D, p_place: Vector3, p_rays: int = 1) -> void:
 	for _ray: int in p_rays:
 		_query.from = p_place
@@ -68,7 +69,7 @@ func look(p_space: PhysicsDirectSpaceState3D, p_place: Vector3, p_rays: int = 1)
 	_sum_up()
 
 
-## Whether the place counts as a room.
+## Whether the position counts as a room.
 func is_room() -> bool:
 	return enclosure >= ENCLOSED
 

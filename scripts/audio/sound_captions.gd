@@ -1,14 +1,14 @@
 class_name SoundCaptions
 extends RefCounted
-## Text for who cannot hear: what sounds, from where, how far. The same is not said twice within a
-## few seconds.
+## Captions for users who cannot hear: which sound, from which direction, how far. The same caption
+## is not repeated within a few seconds.
 
 ## A caption is to be shown; [param p_bearing] is 0 ahead, positive to the right, rad.
 signal shown(p_text: String, p_bearing: float)
 
-## The same thing from the same side is said again after this time, s.
+## Time after which the same caption from the same direction is repeated, s.
 const AGAIN_S: float = 4.0
-## What is quieter is not said, dB over full scale.
+## Level below which a sound has no caption, dB over full scale.
 const MIN_LEVEL_DB: float = -42.0
 const _SIDES: PackedStringArray = [
 	"ahead",
@@ -40,7 +40,7 @@ func take(p_text: String, p_place: Vector3, p_level_db: float, p_ear: Transform3
 	shown.emit("%s, %s, %s" % [p_text, side_of(bearing), describe_distance(away)], bearing)
 
 
-## In which direction a place is: 0 ahead, positive to the right, rad.
+## In which direction a position is: 0 ahead, positive to the right, rad.
 static func bearing_of(p_place: Vector3, p_ear: Transform3D) -> float:
 	var to: Vector3 = p_ear.basis.orthonormalized().inverse() * (p_place - p_ear.origin)
 	return atan2(to.x, -to.z)

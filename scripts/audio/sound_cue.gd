@@ -8,13 +8,13 @@ var name: StringName = &""
 var takes: Array[AudioStream] = []
 ## Level 1 m away, dB over full scale: sounds keep their distances apart, the mix is limited.
 var level_db: float = 0.0
-## What each doubling of the distance takes, dB: 6 in the open.
+## Attenuation per doubling of the distance, dB: 6 in the open.
 var slope_db: float = 6.0
-## From here on it is not heard, m.
+## Distance from which on it is not heard, m.
 var range_m: float = 60.0
 ## Takes differ in pitch by up to this share.
 var pitch_spread: float = 0.05
-## How many dB it counts for more than it is loud, when voices are few.
+## Priority when voices are few: so many dB are added to its level.
 var priority_db: float = 0.0
 ## What a caption says of it; empty: none.
 var caption: String = ""

@@ -3,11 +3,11 @@ extends RefCounted
 ## What is between listener and sources, and how the rooms of both reverberate: by rays against what
 ## never moves.
 
-## So near to its source a ray meets the surface that is struck, which is no wall between, m.
+## Distance from the source within which a ray's hit is the surface that was struck, not a wall, m.
 const NEAR_SOURCE_M: float = 0.35
-## A roof is looked for up to here, m.
+## Height up to which a roof is searched, m.
 const _ROOF_M: float = 20.0
-## A ray to a source's roof begins so far above it, m.
+## Height above a source at which a ray to its roof begins, m.
 const _ABOVE_M: float = 0.2
 ## The reverberation is set again after so many frames.
 const _SET_FRAMES: int = 8
@@ -39,7 +39,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3) -> void:
 		SoundBuses.set_room(SoundBuses.ROOM, room)
 
 
-## Whether a wall is between the ears and a place, m.
+## Whether a wall is between the ears and a position, m.
 func is_walled(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3, p_place: Vector3) -> bool:
 	var way: Vector3 = p_place - p_ear
 	if way.length() < NEAR_SOURCE_M * 2.0:
@@ -49,8 +49,8 @@ func is_walled(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3, p_place: Vect
 	return not p_space.intersect_ray(_query).is_empty()
 
 
-## Whether a source at a place (m) is in a room that the listener is not in; sets the reverberation
-## of its bus.
+## Whether a source at a position (m) is in a room that the listener is not in; sets the
+## reverberation of its bus.
 func is_in_other_room(p_space: PhysicsDirectSpaceState3D, p_place: Vector3) -> bool:
 	if room.is_room():
 		return false

@@ -18,9 +18,9 @@ var offset: Vector3 = Vector3.ZERO
 var gain_db: float = 0.0
 ## Its pitch, 1 as made.
 var pitch: float = 1.0
-## How many dB it counts for more than others when voices are few.
+## Priority when voices are few: so many dB are added to its level.
 var priority_db: float = 0.0
-## What it counts when voices are few, as last worked out, dB.
+## Its rank when voices are few, as last computed, dB.
 var rank_db: float = -INF
 ## Level at the listener as last worked out, dB over full scale.
 var level_db: float = -INF
@@ -39,7 +39,7 @@ var distance: float = 0.0
 ## How fast it goes away from the listener, m/s.
 var recession: float = 0.0
 
-## Since when its place has not been looked at, s, and after how many frames it is again.
+## Time since its position was last evaluated, s, and frames until it is evaluated again.
 var since_s: float = 0.0
 var wait_frames: int = 0
 
@@ -53,7 +53,7 @@ func stop() -> void:
 	is_over = true
 
 
-## Whether what it follows is gone: what is freed is no longer told from null.
+## Whether the node that it follows is gone: a freed node can no longer be distinguished from null.
 func is_abandoned() -> bool:
 	return _follows and not is_instance_valid(follow)
 

@@ -11,26 +11,26 @@ signal captioned(p_text: String, p_place: Vector3, p_level_db: float)
 
 ## The group by which [method find] finds it.
 const GROUP: StringName = &"sound_voices"
-## Voices at once, unless it is told otherwise.
+## Default of the number of voices at once.
 const MAX_VOICES: int = 48
-## What is quieter at the listener is not begun, dB.
+## Level at the listener below which a sound is not begun, dB.
 const SILENT_DB: float = -60.0
 ## Speed of sound, m/s.
 const SOUND_SPEED: float = 343.0
-## Sounds of one pair within this time are one, s.
+## Time within which sounds of one pair are one sound, s.
 const MERGE_S: float = 0.05
-## What a wall takes besides the highs, dB.
+## Attenuation by a wall besides that of the high frequencies, dB.
 const WALL_DB: float = 8.0
-## What air takes of far sounds beyond 100 m, dB in 100 m.
+## Attenuation by air beyond 100 m, dB per 100 m.
 const AIR_DB: float = 0.6
 ## Rays a frame that look for walls.
 const _WALL_RAYS: int = 2
-## Voices whose gain and pitch stay are looked at again after so many frames: those that move more
-## than a share of their distance meanwhile sooner.
+## Frames after which a voice with constant gain and pitch is evaluated again, and the share of its
+## distance whose change brings that forward.
 const _STILL_FRAMES: int = 8
 const _MOVING_FRAMES: int = 2
 const _MOVING_SHARE: float = 0.01
-## How slowly the speed towards the listener is followed, s; faster than this is a teleport, m/s.
+## Time constant of the speed towards the listener, s, and speed that counts as a teleport, m/s.
 const _DOPPLER_S: float = 0.06
 const _MAX_RECESSION: float = 120.0
 ## Pairs that are remembered before old ones are forgotten.
@@ -112,9 +112,9 @@ func ear() -> Vector3:
 	return camera.global_position if camera != null else Vector3.ZERO
 
 
-## Plays a sound at a place (m), louder by a gain (dB), after a delay (s). Returns its voice, or
-## null where it is refused: unknown, too quiet, or below all that is heard. Whether one that waits
-## is too quiet or counts less than the others that wait is told by where the listener is now.
+## Plays a sound at a position (m), louder by a gain (dB), after a delay (s). Returns its voice, or
+## null where it is refused: unknown, too quiet, or below all that is heard. The listener's present
+## position decides whether a sound that waits is too quiet, or ranks below the others that wait.
 func play(
 	p_name: StringName,
 	p_place: Vector3,
@@ -187,7 +187,7 @@ func heard() -> int:
 	return renderer.sounding() if renderer != null else 0
 
 
-## Seconds that sound needs from a place (m) to the listener.
+## Seconds that sound needs from a position (m) to the listener.
 func travel_s(p_place: Vector3) -> float:
 	return ear().distance_to(p_place) / SOUND_SPEED
 

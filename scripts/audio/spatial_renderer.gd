@@ -1,7 +1,7 @@
 @abstract class_name SpatialRenderer
 extends Node3D
-## Makes voices heard at their places. [SoundVoices] decides which ones, how loud, and on which bus;
-## a renderer gives them to the ears: [PannedRenderer] to loudspeakers, [BinauralRenderer] to
+## Makes voices heard at their positions. [SoundVoices] decides which ones, how loud, and on which
+## bus; a renderer gives them to the ears: [PannedRenderer] to loudspeakers, [BinauralRenderer] to
 ## headphones.
 ##
 ## All players are made at the start. Some more than can sound are there for those that fade: the

@@ -2,7 +2,7 @@ class_name WaitingSounds
 extends RefCounted
 ## Sounds that wait for their moment, such as those of a shot that are still on their way.
 
-## More than so many at once are not kept.
+## Greatest number of sounds that wait.
 const MAX_WAITING: int = 256
 
 var _voices: Array[SoundVoice] = []

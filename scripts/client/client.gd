@@ -84,7 +84,7 @@ func _exit_tree() -> void:
 	_close()
 
 
-## Whether the session has lasted as long as the options say.
+## Whether the session has lasted as long as the options ask.
 func _is_over() -> bool:
 	var duration: float = _context.options.seconds("duration")
 	# A film is made slower than it plays: a recording has a clock of its own.

@@ -3,7 +3,7 @@ extends RefCounted
 ## What the parts of a client share: who it is, what it shows, where its world comes from, and what
 ## one part leaves for the others in each frame.
 
-## The server, or this program, says something that the user must know, whatever the display.
+## A notice of the server, or of this program, that the user must see on every display.
 signal told(p_text: String)
 ## The session is to end with an exit code, such as [constant StateStream.EXIT_DONE].
 signal leave_wanted(p_exit_code: int)
@@ -32,7 +32,7 @@ var stream: StateStream = null
 var link: ClientLink = null
 ## The people whose motion this client sends; null where it sends none.
 var people: ClientPeople = null
-## The headset that the user has; null without one.
+## The user's headset; null without one.
 var headset: ClientHeadset = null
 ## Entries of the window's menu that parts add.
 var menu: WindowMenu = null
@@ -66,7 +66,7 @@ func can(p_capability: Roles.Capability) -> bool:
 	return Roles.can(Roles.find(role), p_capability)
 
 
-## Whether keys are meant for a menu or a dialog now.
+## Whether keys now go to a menu or a dialog.
 func is_menu_open() -> bool:
 	return menus.any(func(is_open: Callable) -> bool: return is_open.call())
 
@@ -81,8 +81,8 @@ func now_s() -> float:
 	return stream.now_s()
 
 
-## The moment of now for what has no part in the world's time, such as menus and devices, s: it goes
-## on while a recording stands still, is slow or jumps.
+## A clock for what has no part in the world's time, such as menus and devices, s: it goes on while
+## a recording stands still, is slow or jumps.
 static func ui_s() -> float:
 	return Time.get_ticks_usec() / 1e6
 

@@ -30,7 +30,7 @@ func advance(_delta_s: float) -> void:
 	pass
 
 
-## Everything is where the frame, of this length, s, shows it.
+## Every node is where the frame, of this length, s, shows it.
 func end_frame(_delta_s: float) -> void:
 	pass
 

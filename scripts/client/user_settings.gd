@@ -1,6 +1,6 @@
 class_name UserSettings
 extends RefCounted
-## What somebody has chosen on this machine, kept between starts in a file.
+## The user's choices on this machine, kept between starts in a file.
 
 ## The file.
 const PATH: String = "user://settings.cfg"
@@ -9,7 +9,7 @@ const _SOUND: String = "sound"
 const _SOUND_ON: Dictionary[StringName, bool] = {&"limiter": true}
 const _DISPLAY: String = "display"
 const _QUALITY: String = "quality"
-## The device for which the program has chosen; empty where a person has.
+## The device that the program chose a tier for; empty where a person has chosen.
 const _CHOSEN_FOR: String = "quality_chosen_for"
 
 var _path: String = PATH

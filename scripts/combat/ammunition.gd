@@ -39,19 +39,19 @@ enum Kind {
 @export_range(0.0, 2.0, 0.01) var drag_coefficient: float = 0.4
 ## Ballistic coefficient for the G7 standard, lb/in^2, as it is published; of bullets. 0: none.
 @export_range(0.0, 2.0, 0.001, "suffix:lb/in²") var ballistic_coefficient: float = 0.0
-## Whether it is seen in flight.
+## Whether it can be seen in flight.
 @export var has_tracer: bool = true
 
 @export_group("Hit")
-## By how much more than its momentum it pushes what it hits: a true bullet moves nobody.
+## Factor on the momentum that it gives to what it hits: a bullet's true momentum would move nobody.
 @export_range(0.0, 20.0, 0.1) var impulse_factor: float = 1.0
-## Steel that it gets through at the muzzle's speed, mm.
+## Thickness of steel that it pierces at the muzzle's speed, mm.
 @export_range(0.0, 2000.0, 1.0, "suffix:mm") var penetration: float = 470.0
-## How far its blast pushes, m; 0: it does not burst.
+## Radius of its blast, m; 0: it does not burst.
 @export_range(0.0, 100.0, 0.5, "suffix:m") var blast_radius: float = 0.0
-## What its blast gives to a square metre that faces it 1 m away, N s.
+## Impulse of its blast on a square metre that faces it at a distance of 1 m, N s.
 @export_range(0.0, 20000.0, 10.0, "suffix:N s") var blast_impulse: float = 0.0
-## Steel that its fragments get through within half of the blast's radius, mm.
+## Thickness of steel that its fragments pierce within half of the blast's radius, mm.
 @export_range(0.0, 200.0, 1.0, "suffix:mm") var fragment_penetration: float = 0.0
 
 
@@ -67,12 +67,13 @@ func make_flight() -> ShellFlight:
 	return flight
 
 
-## What a shot gives to the gun, N s.
+## Impulse of a shot on the gun (recoil), N s.
 func recoil() -> float:
 	return (mass + sabot_mass) * muzzle_speed + propellant_mass * gas_speed
 
 
-## Steel that it gets through at a speed (m/s), mm. A hollow charge needs no speed.
+## Thickness of steel that it pierces at a speed (m/s), mm. A hollow charge pierces the same at any
+## speed.
 func penetration_at(p_speed: float) -> float:
 	if kind == Kind.HIGH_EXPLOSIVE:
 		return penetration

@@ -1,8 +1,7 @@
 @tool
 @abstract class_name Armour
 extends Node
-## What something can bear that shells hit: a child of the body that is hit. Only the server
-## decides.
+## What a body withstands when shells hit it: a child of that body. Only the server decides.
 
 
 ## The armour of a body, or null.
@@ -13,12 +12,12 @@ static func find_in(p_body: Node) -> Armour:
 	return null
 
 
-## A hit at a place, in the world: velocity of the shell (m/s), where it hit and the surface's
-## normal there. Returns how much of what it needed the shell had.
+## A hit: velocity of the shell (m/s), point (m) and surface normal there, in the world. Returns the
+## shell's penetration as a share of what piercing needed.
 @abstract func take_hit(
 	p_ammunition: Ammunition, p_velocity: Vector3, p_place: Vector3, p_normal: Vector3
 ) -> float
 
-## Fragments of a shell that burst near, which fly in a direction: they pierce what is thin.
+## Fragments of a shell that burst near by fly in a direction: they pierce thin armour.
 @abstract
 func take_fragments(p_ammunition: Ammunition, p_direction: Vector3, p_place: Vector3) -> void

@@ -1,14 +1,14 @@
 class_name FiringSound
 extends RefCounted
-## What is heard of a shooter's shots: the muzzle, late by the way of the sound, the crack of what
-## goes by, and where it strikes.
+## Plays the sounds of a shooter's shots: the muzzle, delayed by the speed of sound, the crack of
+## passing rounds, and the impacts.
 
-## How much of the path of a bullet or a shell is listened to, m.
+## Length of the path of a bullet and of a shell along which its crack is computed, m.
 const _REACH_M: float = 900.0
-## How often a hard surface throws a bullet off, and which ones are hard.
+## Share of bullets that ricochet from a hard surface, and the keys of hard surfaces.
 const _RICOCHET_SHARE: float = 0.18
 const _HARD: Array[StringName] = [&"metal", &"concrete"]
-## Impulse that a bullet and a shell sound like, N s.
+## Impulse for which the sounds of a bullet's and of a shell's impact were made, N s.
 const _BULLET_IMPULSE: float = 12.0
 const _SHELL_IMPULSE: float = 900.0
 

@@ -1,10 +1,10 @@
 class_name FiringView
 extends Node3D
-## What is seen of a shooter's shots: flash and smoke at the muzzle, dust below
-## it, tracers, and what flies up where something is hit. It costs no bytes beside the events.
+## Shows a shooter's shots: flash and smoke at the muzzle, dust below it, tracers, and the effects
+## of impacts. All of it follows from the events: it needs no bytes of its own.
 
 ## How many of each effect are made beforehand, for all shooters of a level.
-const _COUNTS: Dictionary[String, int] = {
+const _PREPARED: Dictionary[String, int] = {
 	"muzzle_flash": 6,
 	"muzzle_smoke": 3,
 	"muzzle_dust": 3,
@@ -17,26 +17,26 @@ const _COUNTS: Dictionary[String, int] = {
 	"debris": 3,
 	"explosion": 3,
 }
-## Every so many rounds of a machine gun shine.
+## Rounds of a machine gun from one tracer to the next.
 const _TRACER_EVERY: int = 5
 ## Light of a flash, and how fast it fades, 1/s.
 const _FLASH_ENERGY: float = 8.0
 const _FLASH_FADE: float = 22.0
 ## Dust rises below a muzzle that is no higher than this above the ground, m.
 const _DUST_HEIGHT_M: float = 4.0
-## Farther away flashes and bursts are not shown, m.
-const _AWAY_M: float = 1500.0
+## Distance from which on flashes and bursts are not shown, m.
+const _MAX_DISTANCE_M: float = 1500.0
 ## Size of a bullet's burst beside a shell's, and of the flash of a machine gun.
 const _BULLET_SIZE: float = 0.3
 const _BULLET_FLASH: float = 0.15
-## What bursts so far, m, looks as the effect was made.
+## Blast radius at which a burst's effect has the size that it was made in, m.
 const _BLAST_M: float = 12.0
 ## Width of marks, m: of a bullet, of a dart, of what bursts.
 const _MARKS_M: Array[float] = [0.9, 5.0, 0.14]
-## So far below an impact the ground is looked for, on which pieces of it bounce, m.
+## Depth below an impact to which the ground is searched, m: pieces of the impact bounce on it.
 const _GROUND_M: float = 20.0
 ## Materials whose impacts have no effect of their own, and whose they take instead.
-const _LIKE: Dictionary[String, String] = {
+const _EFFECT_KEYS: Dictionary[String, String] = {
 	"person": "soft", "cloth": "soft", "leaf": "soft", "rubber": "soft"
 }
 
@@ -49,11 +49,11 @@ var _shells: Shells = null
 var _player: EffectPlayer = null
 var _flash: OmniLight3D = OmniLight3D.new()
 var _rounds: int = 0
-## How long it stays after the shooter is gone, s; below 0: the shooter is there.
+## How long it stays after the shooter is gone, s; negative while the shooter is there.
 var _left_s: float = -1.0
 
 
-## One for the guns of a shooter. It belongs into the shooter's world but not below the shooter: see
+## A view for a shooter's guns. It belongs into the shooter's world, but not below the shooter: see
 ## [method show_shots].
 static func create(p_shells: Shells) -> FiringView:
 	var view: FiringView = FiringView.new()
@@ -69,8 +69,8 @@ static func show_shots(p_shells: Shells) -> void:
 		begin.call_deferred(p_shells)
 
 
-## Adds one where effects are played in the shooter's world: what has been fired is still seen when
-## the shooter is gone.
+## Adds a view where the shooter's world plays its effects: shots stay visible when the shooter is
+## gone.
 static func begin(p_shells: Shells) -> void:
 	if p_shells.is_inside_tree():
 		EffectPlayer.of(p_shells.shooter).add_child(create(p_shells))
@@ -78,8 +78,8 @@ static func begin(p_shells: Shells) -> void:
 
 func _ready() -> void:
 	_player = EffectPlayer.of(self)
-	for effect: String in _COUNTS:
-		_player.prepare(effect, _COUNTS[effect])
+	for effect: String in _PREPARED:
+		_player.prepare(effect, _PREPARED[effect])
 	tracers.configure(self, _shells.shooter)
 	marks.configure(self)
 	_flash.light_color = Color(1.0, 0.72, 0.4)
@@ -113,7 +113,7 @@ func _on_fired(
 	if p_ammunition.has_tracer and (not is_bullet or _rounds % _TRACER_EVERY == 0):
 		tracers.add(p_ammunition, p_place, p_velocity)
 	var muzzle: Transform3D = p_gun.global_transform.orthonormalized()
-	if _eye().distance_to(muzzle.origin) > _AWAY_M:
+	if _eye().distance_to(muzzle.origin) > _MAX_DISTANCE_M:
 		return
 	_player.play("muzzle_flash", muzzle, _BULLET_FLASH if is_bullet else 1.0)
 	_flash.global_position = muzzle.origin - muzzle.basis.z
@@ -146,7 +146,7 @@ func _on_struck(
 	p_place: Vector3, p_normal: Vector3, p_surface: StringName, p_ammunition: Ammunition
 ) -> void:
 	tracers.end(p_ammunition, p_place)
-	if _eye().distance_to(p_place) > _AWAY_M or not p_normal.is_normalized():
+	if _eye().distance_to(p_place) > _MAX_DISTANCE_M or not p_normal.is_normalized():
 		return
 	var is_bullet: bool = p_ammunition.kind == Ammunition.Kind.BULLET
 	var size: float = _BULLET_SIZE if is_bullet else 1.3
@@ -166,7 +166,7 @@ func _on_struck(
 func _show_impact(
 	p_at: Transform3D, p_size: float, p_material: ContactMaterial, p_has_debris: bool
 ) -> void:
-	var effect: String = "impact_" + _LIKE.get(p_material.key, p_material.key)
+	var effect: String = "impact_" + _EFFECT_KEYS.get(p_material.key, p_material.key)
 	if not EffectLibrary.shared().has(effect):
 		effect = "impact"
 	var inputs: Dictionary[StringName, Variant] = {

@@ -151,7 +151,7 @@ func carried_velocity() -> Vector3:
 	return Vector3.ZERO
 
 
-## Gives what carries it an impulse (N s, world) at a place (m, world).
+## Gives what carries it an impulse (N s, world) at a position (m, world).
 func kick(_impulse: Vector3, _place: Vector3) -> void:
 	pass
 
@@ -298,7 +298,7 @@ func _on_field_changed(p_field: StringName, p_value: float) -> void:
 			loaded = p_value
 		ammunition_field:
 			chosen = clampi(roundi(p_value), 0, maxi(ammunition.size() - 1, 0))
-			# Of as many rounds of another kind there is no news.
+			# The events do not say how many rounds of another kind are left.
 			if rounds_field != &"" and entity.type.find_field(rounds_field) >= 0:
 				_on_field_changed(rounds_field, entity.get_value(rounds_field))
 		rounds_field:

@@ -45,7 +45,7 @@ func advance(p_delta: float) -> void:
 		_material.set_shader_parameter(&"now", _seconds)
 
 
-## Leaves a mark at a place with a normal, in the world, so wide (m).
+## Leaves a mark at a position with a normal, in the world, so wide (m).
 func make(p_place: Vector3, p_normal: Vector3, p_width: float) -> void:
 	var mark: int = made % MARKS
 	var at: Transform3D = Transform3D(upward(p_normal) * Basis(Vector3.UP, made * 2.4), p_place)

@@ -6,6 +6,6 @@ extends RefCounted
 var ammunition: Ammunition = null
 ## How it flies.
 var flight: ShellFlight = null
-## From where on it is to be asked next what it has hit, m: at first the breech, so that a muzzle in
-## a wall fires into the wall.
+## Start of the next ray that looks for a hit, m: at first the breech, so that a muzzle inside a
+## wall fires into the wall.
 var from: Vector3 = Vector3.ZERO

@@ -1,25 +1,26 @@
 class_name ShellHits
 extends RefCounted
-## What a hit and a blast do to bodies and people: impulses at the place, within what is plausible.
+## Applies hits and blasts to bodies and people: impulses at the point of impact, within plausible
+## limits.
 
-## A light thing is not made faster than this by one hit, m/s: a real shell goes through it.
+## Greatest speed that one hit gives to a body, m/s: a real shell would go through a light one.
 const MAX_GAIN: float = 12.0
-## Nor made to turn faster than this, rad/s.
+## Greatest angular speed that one hit gives to a body, rad/s.
 const MAX_SPIN: float = 15.0
-## A limb is not made faster than this by one hit, m/s.
+## Greatest speed that one hit gives to a limb, m/s.
 const MAX_LIMB_GAIN: float = 10.0
-## Impulse from which on a person cannot stay standing, N s; of a burst, what all limbs get.
-const _FELLING: float = 80.0
+## Impulse that makes a person fall, N s; of a burst, the sum over all limbs.
+const _FALL_IMPULSE: float = 80.0
 ## What the hit limb's group has left of its strength, and how long until all is back (s): for a
 ## bullet, and for what fells.
 const _FLINCH: Vector2 = Vector2(0.1, 0.7)
 const _FELLED: Vector2 = Vector2(0.02, 2.0)
-## Mass for the area of things whose shape nobody asks, kg/m^3.
+## Mean density by which a body's mass gives its area, as its shape is not looked at, kg/m^3.
 const _DENSITY: float = 500.0
-## Nearer than this a blast gives no more, m.
-const _NEAREST: float = 0.5
-## A limb is at most so many nodes below its person.
-const _LEVELS: int = 8
+## Distance below which a blast grows no further, m.
+const _MIN_DISTANCE_M: float = 0.5
+## Depth in the tree, in nodes below the person, down to which limbs are found.
+const _MAX_DEPTH: int = 8
 ## Most bodies and limbs that a blast pushes.
 const _MAX_BODIES: int = 256
 
@@ -61,14 +62,14 @@ static func push_limb(
 	)
 	var given: Vector3 = p_impulse.limit_length(MAX_LIMB_GAIN * mass)
 	var weight: float = maxf(p_impulse.length(), p_together)
-	var way: Vector2 = _FLINCH if weight < _FELLING else _FELLED
+	var way: Vector2 = _FLINCH if weight < _FALL_IMPULSE else _FELLED
 	motor.hit(given, p_point, way.x, way.y)
 
 
 ## What moves a person, of whom a limb is known; null where nobody does.
 static func motor_of(p_limb: Node) -> RagdollMotor:
 	var node: Node = p_limb.get_parent()
-	for _level: int in _LEVELS:
+	for _level: int in _MAX_DEPTH:
 		if node == null:
 			return null
 		for child: Node in node.get_children():
@@ -78,7 +79,7 @@ static func motor_of(p_limb: Node) -> RagdollMotor:
 	return null
 
 
-## Bursts at a place: pushes all that it sees, less with distance, and pierces thin vehicles.
+## Bursts at a position: pushes all that it sees, less with distance, and pierces thin vehicles.
 static func burst(
 	p_space: PhysicsDirectSpaceState3D, p_place: Vector3, p_ammunition: Ammunition
 ) -> void:
@@ -108,7 +109,7 @@ static func burst(
 		_push_person(people[motor])
 
 
-## Limbs of one person, each with its impulse and place.
+## Limbs of one person, each with its impulse and position.
 static func _push_person(p_limbs: Array) -> void:
 	var together: float = 0.0
 	for limb: Array in p_limbs:
@@ -126,7 +127,7 @@ static func _pierce(
 		armour.take_fragments(p_ammunition, p_given[0].normalized(), p_given[1])
 
 
-## Impulse and place of what a burst gives to a body; empty where it does not reach it.
+## Impulse and position of what a burst gives to a body; empty where it does not reach it.
 static func _find_push(
 	p_space: PhysicsDirectSpaceState3D,
 	p_place: Vector3,
@@ -151,5 +152,5 @@ static func _find_push(
 	if share <= 0.0 or not ahead.is_normalized():
 		return []
 	var area: float = pow(1.0 / maxf(state.inverse_mass, 1e-6) / _DENSITY, 2.0 / 3.0)
-	var impulse: float = p_ammunition.blast_impulse * area * share / maxf(away, _NEAREST)
+	var impulse: float = p_ammunition.blast_impulse * area * share / maxf(away, _MIN_DISTANCE_M)
 	return [ahead * impulse, point]

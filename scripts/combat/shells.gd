@@ -2,12 +2,12 @@
 @icon("res://scenes/combat/icons/shells.svg")
 class_name Shells
 extends Node
-## Flies what the guns of one shooter fire, on the server, and says on every machine what is fired
-## and where it hits.
+## Simulates the rounds of one shooter's guns on the server, and signals on every machine what is
+## fired and where it hits.
 ##
-## A shell's way is sent by nobody: the event [constant FIRED] carries what leaves the muzzle, and
-## each client flies it by the same arithmetic. Bullets of machine guns have no such event, only
-## (some of) their impacts.
+## The path of a shell is not sent: the event [constant FIRED] carries its start, and each client
+## computes its flight by the same arithmetic. Bullets of machine guns have no such event, only some
+## of their impacts.
 
 ## A shell or bullet hit something: on every machine, on a client at the tick that it shows.
 signal struck(
@@ -38,10 +38,10 @@ const IMPACT: StringName = &"impact"
 const BULLET_IMPACT: StringName = &"bullet_impact"
 ## How many values each has.
 const _VALUES: Dictionary[StringName, int] = {FIRED: 7, IMPACT: 8, BULLET_IMPACT: 8}
-## After so long a shell is forgotten, s, or so far below the level's origin, m.
+## Time after which a shell is removed, s, and depth below the level's origin, m.
 const LIFE_S: float = 10.0
 const LOWEST_M: float = -400.0
-## Nothing is fired faster, m/s: the event could not carry it.
+## Greatest speed of a round that the event can carry, m/s.
 const MAX_SPEED: float = 2600.0
 ## Most shells of a shooter in the air: what comes first hits first.
 const MAX_FLYING: int = 256

@@ -1,18 +1,17 @@
 class_name Tracers
 extends RefCounted
-## Shells and bullets that are seen in flight: each client flies them itself, from what left the
-## muzzle.
+## Shows shells and bullets in flight: each client computes their flight from what left the muzzle.
 
 ## Most of them at once.
 const MAX_SHOWN: int = 48
-## How long the streak of one is: what it flies in this time, s.
+## Time of flight that the length of a streak shows, s.
 const STREAK_S: float = 0.02
 ## Width of a streak for its calibre, and least of all, m.
 const _WIDTH: float = 1.2
 const _THIN_M: float = 0.03
-## They widen with distance, so that they are seen from afar: m for a metre.
+## Least width of a streak per metre of distance, so that it can be seen from afar, m/m.
 const _WIDEN: float = 0.0011
-## A hit so near to a tracer's way ends it, m.
+## Distance from a tracer's path within which a hit ends it, m.
 const _NEAR_M: float = 3.0
 
 var _shells: Array[Shell] = []
@@ -42,8 +41,8 @@ func add(p_ammunition: Ammunition, p_place: Vector3, p_velocity: Vector3) -> voi
 	_shells.append(shell)
 
 
-## All fly on by a time, s, seen from a place; [param p_space] tells bullets what they meet, as
-## nobody else does.
+## All fly on by a time, s, seen from a position; [param p_space] is where bullets find what they
+## hit, as no event says so.
 func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D) -> void:
 	var left: Array[Shell] = []
 	for shell: Shell in _shells:
@@ -61,8 +60,8 @@ func advance(p_delta: float, p_eye: Vector3, p_space: PhysicsDirectSpaceState3D)
 	_show(p_eye)
 
 
-## What was fired hits at a place: it is not seen any more. Bullets, of which many are on one way,
-## end by themselves.
+## What was fired hits at a position: it is not seen any more. Bullets, of which many fly along one
+## path, end by themselves.
 func end(p_ammunition: Ammunition, p_place: Vector3) -> void:
 	if p_ammunition.kind == Ammunition.Kind.BULLET:
 		return

@@ -110,7 +110,7 @@ func read_float() -> float:
 	return _finite(_bytes.decode_float(_at - 4)) if _take(4) else 0.0
 
 
-## So many finite numbers of 4 bytes.
+## A list of finite numbers of 4 bytes; its length is given.
 func read_floats(p_count: int) -> PackedFloat32Array:
 	var floats: PackedFloat32Array = PackedFloat32Array()
 	if _take(4 * p_count):

@@ -9,8 +9,8 @@ extends RefCounted
 const LIMIT_S: float = 5.0
 ## Maximum of keys that are remembered; beyond it the oldest are dropped.
 const MAX_KEYS: int = 256
-## What may be written in a second on the whole, and at once after a while of silence, characters.
-## Further lines are counted. Errors are always written.
+## Characters that may be written per second on the whole, and at once after silence. Further lines
+## are counted. Errors are always written.
 const CHARACTERS_PER_SECOND: float = 400.0
 const MAX_CHARACTERS: float = 2400.0
 
@@ -107,7 +107,7 @@ static func _admit(p_key: String) -> int:
 	return count
 
 
-## Nobody can fill the disk by something that makes a line each time, such as joining and leaving.
+## No message that a stranger can cause, such as joining and leaving, can fill the disk.
 static func _write(p_level: String, p_tag: String, p_text: String) -> void:
 	_mutex.lock()
 	_write_alone(p_level, p_tag, p_text)
@@ -133,7 +133,7 @@ static func _write_alone(p_level: String, p_tag: String, p_text: String) -> void
 static func _store(p_line: String) -> void:
 	if _file != null:
 		_file.store_line(p_line)
-		# Whoever is killed has written all that it said.
+		# The lines of a program that is killed are all in the file.
 		_file.flush()
 
 

@@ -1,6 +1,6 @@
 class_name Nearest
 extends RefCounted
-## What somebody may have meant who mistyped a name.
+## Suggests the name that a user may have meant who mistyped one.
 
 ## Longer words are not compared: nobody mistypes them, and the time grows with the square.
 const MAX_LENGTH: int = 64

@@ -43,7 +43,7 @@ var name: String = ""
 var kind: Kind = Kind.TEXT
 ## Names of the roles that take it.
 var roles: PackedStringArray = []
-## What it is unless it is given: a text, an int or a float.
+## Default: a text, an int or a float.
 var default_value: Variant = ""
 ## Its minimum, in its unit.
 var lowest: float = 0.0
@@ -51,7 +51,7 @@ var lowest: float = 0.0
 var highest: float = 0.0
 ## Unit of a number: "s", "degrees"; empty for counts.
 var unit: String = ""
-## What it can be, if not any text.
+## The possible values, if it is not any text.
 var choices: PackedStringArray = []
 ## What it means, for people.
 var meaning: String = ""

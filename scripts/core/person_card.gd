@@ -1,6 +1,6 @@
 class_name PersonCard
 extends RefCounted
-## What a client sends about somebody whose motion it sends: name and size.
+## What a client sends about a person whose motion it sends: name and size.
 
 ## People whose motion one client may send.
 const MAX_PEOPLE: int = 8

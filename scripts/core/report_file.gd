@@ -2,7 +2,7 @@ class_name ReportFile
 extends RefCounted
 ## Stats of a session in a JSON file, written anew every second, so that a kill loses at most one.
 
-## Seconds between two writings, unless told otherwise.
+## Default of the seconds between two writings.
 const PERIOD_S: float = 1.0
 
 var _path: String = ""

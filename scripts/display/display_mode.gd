@@ -1,12 +1,12 @@
 class_name DisplayMode
 extends Node
-## A way to show the world: in the window's own picture, in stereo, on several walls, in a headset.
+## A display: the window's own picture, stereo, several walls, or a headset.
 ##
-## The client puts its [member camera] where the viewer looks from, each frame, and a mode shows
-## what is seen from there. A mode that cannot go on says why, and the client goes back to its
-## window: that one always works.
+## Each frame the client puts its [member camera] where the viewer looks from, and the mode shows
+## what that camera sees. A mode that fails says why, and the client goes back to its window, which
+## always works.
 
-## What the user should know.
+## A notice for the user.
 signal told(p_text: String)
 ## The mode cannot go on; [param p_why] says what is wrong and how to mend it.
 signal failed(p_why: String)

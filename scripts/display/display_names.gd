@@ -1,7 +1,7 @@
 class_name DisplayNames
 extends RefCounted
-## What the option [code]--display[/code] can be. Apart from the displays themselves: every program
-## reads its options, also one that shows nothing.
+## The values of the option [code]--display[/code]. They are not in the displays' own classes
+## because every program reads its options, also one without a display.
 
 ## The client's window alone.
 const WINDOW: String = "window"
@@ -9,7 +9,7 @@ const WINDOW: String = "window"
 const HMD: String = "hmd"
 ## The screens of a layout file.
 const WALL: String = "wall"
-## How a picture is for two eyes, in the order of [enum StereoMode.Kind].
+## Stereo modes, in the order of [enum StereoMode.Kind].
 const EYES: Array[String] = [
 	"mono",
 	"side-by-side",

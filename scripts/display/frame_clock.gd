@@ -1,7 +1,7 @@
 class_name FrameClock
 extends RefCounted
-## The time that a frame is for, by a steady clock: where the screen paces the frames, they are seen
-## in its even beat, however late each begins.
+## The moment that a frame shows, by a steady clock: where the screen paces the frames it is the
+## moment of the refresh, however late the frame begins.
 ##
 ## A frame that begins late is seen no later: motion has to be evaluated for the beat, or it
 ## trembles. The beat is found from when frames begin, by a filter that follows phase and period.
@@ -10,22 +10,22 @@ extends RefCounted
 ## there, not of when work on it began. So a slow renderer shows the world as late as a quick one,
 ## as far as motion can be carried on.
 
-## How much of an error of the phase is corrected with each frame; the period takes the share that
-## makes both settle without overshoot.
+## Share of a phase error that each frame corrects; the period's share makes both settle without
+## overshoot.
 const PHASE_GAIN: float = 0.1
 const PERIOD_GAIN: float = 0.005
-## The period is so close to that of the screen's rate, as a fraction.
+## Greatest difference of the period from the screen's, as a fraction.
 const PERIOD_ERROR: float = 0.02
-## Frames whose beginnings are on average further off the beat follow none, as a fraction of the
-## period: where frames come at any time, it is a quarter.
+## Mean error beyond which frames follow no beat, as a fraction of the period: where frames come at
+## random it is a quarter.
 const MAX_NOISE: float = 0.17
-## How quickly that average follows.
+## Weight of a frame in that mean.
 const NOISE_GAIN: float = 0.02
-## After so many periods without a frame the beat is looked for anew.
+## Periods without a frame after which the beat is searched anew.
 const MAX_MISSED: int = 30
-## What drawing takes beyond this is not made up for, µs: guesses so far ahead would be worse.
+## Greatest time of drawing that is compensated, µs: extrapolation further ahead would be worse.
 const MAX_DRAWING_USEC: int = 100000
-## What drawing takes is the median of so many frames: one that had to load something is left out.
+## Frames whose median gives the time of drawing: a frame that had to load something does not count.
 const DRAWN_FRAMES: int = 9
 
 var _nominal_usec: float = 0.0

@@ -10,9 +10,9 @@ extends RefCounted
 
 ## Frames per second without a window by default: as those of a fast display.
 const HEADLESS_FPS: int = 144
-## How long after there is something new a frame is to begin, s.
+## Time from a new state to the beginning of the frame that shows it, s.
 const LEAD_S: float = 0.0015
-## Errors within this are left alone, s.
+## Error that is tolerated, s.
 const TOLERANCE_S: float = 0.0008
 ## Frames per second more or less, while the phase is being moved.
 const NUDGE: int = 2

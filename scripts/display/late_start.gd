@@ -1,19 +1,19 @@
 class_name LateStart
 extends RefCounted
-## How long a frame can wait before work on it begins, where the screen paces the frames: what is
-## looked at later is newer when it is seen.
+## How long a frame can wait before work on it begins, where the screen paces the frames: input that
+## is read later is newer when it is seen.
 ##
-## The engine begins a frame as soon as the one before is handed over, works for a while, and then
-## waits for the screen. Here the waiting comes first. What work takes is the most of the last
-## frames; a frame that comes too late is paid for by waiting less for some time.
+## The engine begins a frame as soon as the one before is handed over, works, and then waits for the
+## screen. This class moves the wait before the work. The expected work is the longest of the last
+## frames; after a frame that comes too late the wait is shorter for some time.
 
-## Left over before the screen's moment, µs: beats are not quite even.
+## Margin before the screen's refresh, µs: refreshes are not quite even.
 const SPARE_USEC: int = 2500
-## Frames whose work is looked at.
+## Number of frames whose work is considered.
 const FRAMES: int = 90
-## A frame that took longer than this many periods was missed.
+## Periods after which a frame counts as missed.
 const MISSED: float = 1.5
-## What a miss adds to what is left over, µs, and how quickly that is forgotten, µs a frame.
+## What a miss adds to the margin, µs, and how quickly that decays, µs a frame.
 const PENALTY_USEC: int = 2000
 const FORGIVES_USEC: int = 4
 

@@ -4,7 +4,7 @@ extends Camera3D
 ## arrow keys likewise; it follows its target softly. It can also stay behind a person, or look out
 ## of the person's eyes.
 
-## From where it looks.
+## Where the camera is relative to the person.
 enum View {
 	## From any side; the side stays when the person turns.
 	AROUND,
@@ -14,17 +14,17 @@ enum View {
 	EYES,
 }
 
-## Distance that it keeps from what it does not pass, m.
+## Distance from obstacles, m.
 const _CLEARANCE_M: float = 0.15
-## From where on something is drawn, m: the eyes are near the visor.
+## Near plane when the camera looks out of somebody's eyes, m: the eyes are near the visor.
 const _NEAR_M: float = 0.05
 const _NEAR_EYES_M: float = 0.03
-## Distance from the head below which it would be in somebody's face, m.
+## Least distance from the head, m: nearer, the camera would be in the face.
 const _MIN_DISTANCE_M: float = 0.5
-## At this distance it looks at the head, and at the other one at the target, m.
+## Distance at which it looks at the head, and at which it looks at the target, m.
 const _FACE_M: float = 1.2
 const _BODY_M: float = 3.0
-## It looks for a distance outside of bodies in steps of this length, m, up to so many.
+## Step in which it searches for a distance outside of bodies, m, and number of steps.
 const _STEP_M: float = 0.05
 const _STEPS: int = 40
 ## From the head's joint to the middle of the head, in the head's frame, m.
@@ -38,14 +38,14 @@ const EYES: Vector3 = Vector3(0.0, 0.085, 0.125)
 @export_range(-89.0, 89.0, 0.1, "radians_as_degrees") var elevation: float = deg_to_rad(12.0)
 ## Distance to the target.
 @export_range(0.5, 50.0, 0.1, "suffix:m") var distance: float = 4.0
-## How quickly it follows: the share of the way per second is 1 - e^-value.
+## How quickly it follows: in a second it covers the share 1 - e^-value of its distance.
 @export_range(0.1, 50.0, 0.1) var follow_speed: float = 6.0
 ## Whether arrow keys turn it.
 @export var takes_keys: bool = true
-## Whether it is calm when it looks out of somebody's eyes, as spectators want it. Wearers see
-## their own eyes' view as it is.
+## Whether it is smoothed when it looks out of somebody's eyes: for spectators. Wearers see the
+## unfiltered view.
 @export var is_steady: bool = false
-## What it does not pass: it comes closer where one of these would stand between it and its target.
+## Obstacles: the camera comes closer where one would be between it and its target.
 @export_flags_3d_physics var obstacles: int = 0
 
 ## What it watches, in the world, m.

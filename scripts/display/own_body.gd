@@ -5,8 +5,8 @@ extends RefCounted
 ## Puts [PoseSample]s onto the limbs of the body and hands them to [LocalFeedback], together with
 ## what the server made of them.
 
-## What is shown may be this far beyond the newest sample, s: half a period of samples keeps the
-## delay even where samples and frames are not in step.
+## Greatest extrapolation beyond the newest sample, s: half a period of samples keeps the delay even
+## where samples and frames are not in step.
 const HALF_PERIOD: float = 0.5
 
 var _feedback: LocalFeedback = LocalFeedback.new()

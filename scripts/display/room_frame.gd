@@ -1,18 +1,18 @@
 class_name RoomFrame
 extends RefCounted
-## Where the wearer's room is in the world: what a headset's view moves with, besides the headset.
+## Transform of the wearer's room in the world: what moves a headset's view, besides the headset.
 ##
 ## The view is always the headset's own pose in this frame, so it may only move calmly. It follows
 ## where the server has the wearer's body: a wall that stops the body, a step that lifts it, a
-## vehicle that carries it. What carries the room moves it at once and rigidly; the rest is
-## followed slowly, and a jump (another place, somebody who is put elsewhere) is a cut.
+## vehicle that carries it. What carries the room moves it at once and rigidly; the rest is followed
+## slowly, and a jump (a change of level, a teleport) is a cut.
 
-## How slowly the room follows the body, s: level and upright.
+## Time constants with which the room follows the body, s: level and upright.
 const CALM_S: float = 0.8
 const CALM_UP_S: float = 0.25
-## What is within this is left alone, m: bodies that stand still tremble.
+## Deviation that is ignored, m: bodies that stand still tremble.
 const REST_M: float = 0.01
-## A jump, m and rad.
+## Deviation that counts as a jump, m and rad.
 const JUMP_M: float = 1.5
 const JUMP_ANGLE: float = 0.8
 ## How quickly a new heading is followed, 1/s.

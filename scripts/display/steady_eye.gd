@@ -5,12 +5,12 @@ extends RefCounted
 ## Turns and moves are followed with a delay that is the shorter the further behind it is, so that
 ## quick looks are followed quickly, and small shakes hardly at all. The horizon stays level.
 
-## How slowly small moves are followed, s.
+## Time constant with which small movements are followed, s.
 const CALM_S: float = 0.25
-## So far behind at most: rad, m.
+## Greatest lag: rad, m.
 const MAX_ANGLE: float = 0.25
 const MAX_DISTANCE_M: float = 0.12
-## A jump of more than this is a new place, m.
+## Distance that counts as a jump, m.
 const JUMP_M: float = 1.0
 
 var _is_known: bool = false
@@ -39,10 +39,10 @@ func advance(p_eyes: Transform3D, p_step_s: float) -> Transform3D:
 	return Transform3D(Basis(_turn), _place)
 
 
-## The share of the way for a step, when it is behind by a part of what it may be.
+## Share of the distance to cover in a step, given the lag as a part of the greatest.
 static func _share(p_behind: float, p_step_s: float) -> float:
 	var calm: float = 1.0 - exp(-maxf(p_step_s, 0.0) / CALM_S * (1.0 + 4.0 * p_behind * p_behind))
-	# What is too far behind is caught up at once.
+	# Lag beyond the greatest is removed at once.
 	return maxf(calm, 1.0 - 1.0 / p_behind) if p_behind > 1.0 else calm
 
 

@@ -4,7 +4,7 @@ extends RefCounted
 ## What an input of an effect follows, read from a line such as [code]revs = rpm * 0.0004[/code]
 ## (a field of an entity, times a number) or [code]scale = 1.5[/code] (a number).
 
-## The input that is the share of particles rather than one of the file's.
+## The input that stands for the share of particles instead of one of the file's inputs.
 const AMOUNT: StringName = &"amount"
 
 ## The input of the effect, or [constant AMOUNT].

@@ -6,9 +6,9 @@ extends RefCounted
 ## Not the number of particles costs time but how much of the picture they cover, again and again.
 ## Where all together cover too much, each gets fewer of its particles, those far away first.
 
-## Of what is beyond this distance, half the particles are drawn, m.
+## Distance beyond which half the particles are drawn, m.
 const HALF_M: float = 120.0
-## The least share that is left to an effect for all others.
+## The least share of its particles that each effect keeps.
 const MIN_ROOM: float = 0.12
 
 ## Share of the particles of all effects: [code]Quality[/code] sets it.

@@ -44,7 +44,7 @@ const MAX_INPUTS_TEXT: int = 400
 
 var _bindings: Array[EffectBinding] = []
 var _shown: LayeredEffect = null
-## So long an effect without [code]@once[/code] goes on, s.
+## Time for which an effect without [code]@once[/code] goes on, s.
 var _left_s: float = 0.0
 ## The share that [constant EffectBinding.AMOUNT] says.
 var _bound_amount: float = 1.0

@@ -6,13 +6,13 @@ extends Node3D
 
 ## Group of the nodes below which a player may be: a level, whose end is the end of its effects.
 const STAGES: StringName = &"effect_stages"
-## How often the budget is spread anew, s.
+## Period of spreading the budget anew, s.
 const BUDGET_S: float = 0.25
 ## Most of one effect at once.
 const MAX_OF_ONE: int = 16
-## How many of an effect there are that nobody has prepared.
+## Number of instances of an effect that was not prepared.
 const UNPREPARED: int = 3
-## Name of the input that takes the size of what is played, 1 as made.
+## Name of the input that takes the scale of what is played, 1 as made.
 const SIZE: StringName = &"scale"
 const _NAME: StringName = &"EffectPlayer"
 
@@ -74,8 +74,9 @@ func is_prepared() -> bool:
 	return _wanted.is_empty()
 
 
-## Plays an effect once at a place of the world, so large (1 as made), with values of its inputs.
-## Returns whether it is seen: it is not where there is no such effect, or where it is too far away.
+## Plays an effect once at a transform in the world, with a scale (1 as made) and values of its
+## inputs. Returns whether it is seen: it is not where there is no such effect, or where it is too
+## far away.
 func play(
 	p_effect: String,
 	p_at: Transform3D,

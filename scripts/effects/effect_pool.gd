@@ -46,7 +46,7 @@ func farthest() -> float:
 	return _ready[0].farthest() if not _ready.is_empty() else 0.0
 
 
-## Plays one at a place of the world, at a time, s.
+## Plays one at a position of the world, at a time, s.
 func play(p_at: Transform3D, p_inputs: Dictionary[StringName, Variant], p_now: float) -> void:
 	if _ready.is_empty():
 		return

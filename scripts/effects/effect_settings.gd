@@ -35,7 +35,7 @@ var texture: String = "flare"
 var blend: String = "alpha"
 ## quad, or triangle where a third fewer corners count.
 var topology: String = "quad"
-## viewer (turned to the camera), velocity (a streak along its way) or none (as TRANSFORM says).
+## viewer (turned to the camera), velocity (a streak along its path) or none (as TRANSFORM says).
 var facing: String = "viewer"
 ## none, or sun: lit by the sun and the sky.
 var light: String = "none"
@@ -51,7 +51,7 @@ var burst: float = 0.0
 var once: bool = false
 ## How much brighter than its colour it shines.
 var glow: float = 1.0
-## How much of it has already happened when it begins, s.
+## Time by which it is already advanced when it begins, s.
 var preprocess: float = 0.0
 ## none, depth (the far ones first) or age (the old ones first).
 var order: String = "none"

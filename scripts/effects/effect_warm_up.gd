@@ -1,7 +1,7 @@
 class_name EffectWarmUp
 extends SubViewport
-## Draws every effect in a small picture that nobody sees, while a client loads: what a shader takes
-## to be compiled (up to 0.1 s each) would else freeze the picture at the first shot.
+## Draws every effect in a small picture that nobody sees, while a client loads. Otherwise compiling
+## a shader (up to 0.1 s each) would freeze the picture at the first shot.
 ##
 ## It must be in the world where effects are shown: with other air and other lights the engine
 ## compiles other variants. So it draws them far below that world, without a lamp and beside one.
@@ -9,14 +9,14 @@ extends SubViewport
 ## All effects have been drawn.
 signal finished
 
-## How long each is drawn, frames: the first makes its particles, the second draws them.
+## Frames for which each is drawn: the first makes its particles, the second draws them.
 const FRAMES: int = 2
 ## Files that are drawn at once.
 const AT_ONCE: int = 2
 ## No powers of two, as windows have none: drivers that draw with the processor compile others for
 ## those.
 const _SIZE: Vector2i = Vector2i(44, 28)
-## Where: no level reaches so deep, m.
+## Depth at which they are drawn, m: no level reaches so deep.
 const _PLACE: Vector3 = Vector3(0.0, -2000.0, 0.0)
 ## Kinds of light: none, and a lamp, such as the flash of a gun.
 const _ROUNDS: int = 2

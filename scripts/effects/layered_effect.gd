@@ -63,7 +63,7 @@ func set_input(p_name: StringName, p_value: Variant) -> void:
 		shown.set_input(p_name, p_value)
 
 
-## After so long the particles that there are now are gone, s.
+## Time after which the present particles are gone, s.
 func longest_life() -> float:
 	var longest: float = 0.0
 	for shown: ParticleEffect in parts:

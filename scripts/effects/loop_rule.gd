@@ -82,7 +82,7 @@ func _check() -> void:
 		_check_arguments()
 
 
-## Whether more problems would not be told anyway.
+## Whether the list of problems is full.
 func _has_enough() -> bool:
 	return problems.size() >= EffectLimits.MAX_PROBLEMS
 

@@ -10,12 +10,12 @@ const GROUP: StringName = &"particle_effects"
 const STEPS_PER_SECOND: int = 30
 const MANY_STEPS_PER_SECOND: int = 60
 const SHORT_S: float = 1.0
-## A burst keeps as many particles at least, whatever the budget.
+## Least number of particles of a burst, whatever the budget.
 const MIN_BURST: int = 5
 
 ## What it draws.
 var layer: EffectLayer = null
-## Share of the file's particles that its user wants now, 0 to 1.
+## Share of the file's particles that is wanted now, 0 to 1.
 var share: float = 1.0:
 	set(p_value):
 		share = clampf(p_value, 0.0, 1.0)

@@ -8,12 +8,13 @@ extends Area3D
 ## the frame of the body, so that nobody slides on it. Set the collision mask to the layer of
 ## people.
 ##
-## With [member holds] the motion goes exactly with the body: nobody slides on it. Without, friction
-## alone carries, and who cannot hold on is thrown off: on vehicles.
+## With [member holds] people move exactly with the body and cannot slide. Without it only friction
+## carries them, and whoever cannot hold on is thrown off: for vehicles.
 
-## The bone whose body counts as standing here.
+## A person stands here if the body of this bone does.
 const BONE: StringName = &"Hips"
-## So many ticks apart it looks for people who are here and not carried: who has left a seat.
+## Ticks between two searches for people who stand here and are not carried, such as somebody who
+## has left a seat.
 const _PERIOD_TICKS: int = 12
 
 ## The entity whose body carries.

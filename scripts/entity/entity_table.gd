@@ -2,9 +2,9 @@ class_name EntityTable
 extends RefCounted
 ## All entities: the server keeps the table, every client has a copy that follows by deltas.
 ##
-## Numbers: 0 is the world itself, 1 to 1023 are people, 1024 to 65535 everything else. The
-## number of a removed entity is not reused for a while. Each change raises
-## [member version] by one; a snapshot has for a client only what its version knows.
+## Numbers: 0 is the world itself, 1 to 1023 are people, 1024 to 65535 everything else. The number
+## of a removed entity is not reused for a while. Each change raises [member version] by one; a
+## client's snapshot has only entities of the version that the client knows.
 
 ## An entity has come.
 signal spawned(p_row: EntityRow)

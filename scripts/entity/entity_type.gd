@@ -32,8 +32,8 @@ enum CommandedBy {
 const CARRIER: StringName = &"carrier"
 ## Field of a person: how the motion's own frame is turned about the Y axis, rad.
 const HEADING: StringName = &"heading"
-## Fields of a person: from where its motion has the hips to where the body is held instead, in the
-## world, m; 0 up to a tenth of a metre.
+## Fields of a person: the tether, the vector from the hips of the motion to the hips of the body,
+## in the world, m; 0 where it is shorter than 0.1 m.
 const TETHER_X: StringName = &"tether_x"
 const TETHER_Z: StringName = &"tether_z"
 ## Maximum of commands, and of events, of a type.

@@ -60,8 +60,8 @@ func is_live() -> bool:
 	return entity == null or entity.is_started()
 
 
-## What somebody uses who looks from a position (m) in a direction: of everything within reach and
-## in front, the one nearest to that ray; null if there is nothing.
+## The interactable that somebody uses who looks from a position (m) in a direction: of all within
+## reach and in front, the one nearest to that ray; null if there is none.
 static func find(p_tree: SceneTree, p_from: Vector3, p_direction: Vector3) -> Interactable:
 	var best: Interactable = null
 	var best_angle: float = deg_to_rad(25.0)

@@ -5,14 +5,14 @@ extends RefCounted
 
 ## An entity has another possessor now; 0 is nobody.
 signal changed(p_entity: int, p_session: int)
-## What a session has commanded cannot be done now, and why.
+## The command of a session cannot be carried out now; the text says why.
 signal refused(p_session: int, p_why: String)
 
-## A session takes at most one seat in so many ticks, as each moves its people.
+## Least number of ticks between two seats that a session takes: each change moves its people.
 const SEAT_TICKS: int = 15
 
-## Whether a session has people with bodies, who cannot get out of everything:
-## [code]func(session: int) -> bool[/code].
+## Says whether a session has people with bodies, who cannot leave every seat: [code]func(session:
+## int) -> bool[/code].
 var has_people: Callable = func(_session: int) -> bool: return false
 
 var _possessors: Dictionary[int, int] = {}

@@ -119,7 +119,7 @@ func _on_commanded(p_session: int, p_command: StringName, p_values: PackedFloat3
 			vacate()
 
 
-## Whether a session can leave now; where it cannot, it is told why.
+## Whether a session can leave the seat now; if it cannot, it gets a notice that says why.
 func _lets_go(p_session: int) -> bool:
 	var possession: Possession = _host().possession()
 	var has_people: bool = possession.has_people.call(p_session)

@@ -30,19 +30,19 @@ func hold() -> SeatHold:
 	return null
 
 
-## Points of the way of somebody's feet (m, in the body's frame) from a place to [method mouth];
-## empty: at once.
+## The path of the feet from a position to [method mouth]: points in the body's frame, m. Empty: the
+## occupant is put into the seat at once.
 func way_in(_from: Vector3) -> PackedVector3Array:
 	return PackedVector3Array()
 
 
-## The way back from [method mouth]: to a place that is free. [param p_is_free] takes a point in the
-## body's frame. Empty: the occupant stays where the seat is.
+## The path of the feet from [method mouth] to a free position. [param p_is_free] takes a point in
+## the body's frame. Empty: the occupant stays where the seat is.
 func way_out(_is_free: Callable) -> PackedVector3Array:
 	return PackedVector3Array()
 
 
-## Where feet come to before they go down into the seat, m, in the body's frame.
+## Position of the feet before they go down into the seat, m, in the body's frame.
 func mouth() -> Vector3:
 	return frame_in_body().origin
 

@@ -113,7 +113,7 @@ func _poll_due() -> bool:
 		if _clients[_next].refusal != "":
 			_give_up(StateStream.EXIT_REFUSED, _clients[_next].refusal)
 			return false
-	# Who joins goes through many round trips, and would take a turn for each.
+	# A client that joins needs many round trips, and would wait for its turn in each.
 	for client: LoadClient in _joining:
 		client.poll()
 	return true

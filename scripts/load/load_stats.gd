@@ -1,6 +1,6 @@
 class_name LoadStats
 extends RefCounted
-## What one client of a load run has seen since it began to count.
+## Counts of one client of a load run, since [method LoadClient.begin_counting].
 
 ## Datagrams of snapshots by [enum SnapshotDecoder.Outcome].
 var outcomes: PackedInt32Array = PackedInt32Array([0, 0, 0, 0, 0])
@@ -8,7 +8,7 @@ var outcomes: PackedInt32Array = PackedInt32Array([0, 0, 0, 0, 0])
 var bytes: int = 0
 ## Ages of what is known of each person, sampled evenly in time.
 var ages: LatencyHistogram = LatencyHistogram.new()
-## Ages that could not be measured, as nothing was known of somebody who was there.
+## Ages that could not be measured, as a person who was there had no known state.
 var unknown: int = 0
 ## From a sample in a suit to its arrival at this client.
 var probe: LatencyProbe = LatencyProbe.new()

@@ -7,11 +7,11 @@ extends RefCounted
 ## extrapolate. So it is asked for the pose of a moment a little more than one period back, which
 ## lies between two that were measured. For one thread.
 
-## How much further back than one period, s: the usual jitter of the path from the source.
+## Delay beyond one period, s: the usual jitter of the path from the source.
 const MARGIN_S: float = 0.002
-## A source that is late is extrapolated for so long, s; then there is no pose until it comes again.
+## Time for which a late source is extrapolated, s; then there is no pose until it comes again.
 const MAX_AHEAD_S: float = 0.05
-## It is extrapolated by two poses that are so far apart at least, s, and half a period: two that
+## Least distance of the two poses from which it is extrapolated, s, besides half a period: two that
 ## came at once after a hold-up, their times close together, would make any motion a hundred times
 ## faster.
 const MIN_SPAN_S: float = 0.008
@@ -21,8 +21,8 @@ const MAX_POSES: int = 16
 const _USUAL_PERIOD_S: float = 0.01
 const _MAX_PERIOD_S: float = 0.1
 
-## How much further back than one period poses are asked for, s: more where the path from the
-## source is worse than usual.
+## Delay beyond one period with which poses are asked for, s: more where the path from the source is
+## worse than usual.
 var margin_s: float = MARGIN_S
 
 var _poses: Array[PoseSample] = []

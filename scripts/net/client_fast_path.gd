@@ -1,9 +1,9 @@
 class_name ClientFastPath
 extends RefCounted
-## What a client sends and hears without waiting for a frame: its samples, the server's
+## What a client sends and receives without waiting for a frame: its samples, the server's
 ## acknowledgement of them, and the questions for the server's time.
 
-# Periods of the questions for the time: at first, and then.
+# Periods of the questions for the time, µs: at first, and later.
 const _QUICK_QUESTIONS: int = 20
 const _QUICK_USEC: int = 250000
 const _SLOW_USEC: int = 1000000
@@ -12,18 +12,18 @@ const _SLOW_USEC: int = 1000000
 var _peer: ThreadedPeer = null
 var _sending: Mutex = Mutex.new()
 var _motion_ack_taker: Callable = Callable()
-# Held while it is called: it is never called once it was taken away.
+# Held while the callable runs: after it is taken away it never runs again.
 var _taking: Mutex = Mutex.new()
 
 
-## Has a peer that is not open yet call this, in its thread.
+## Has the thread of a peer that is not open yet call this.
 func attach(p_peer: ThreadedPeer) -> void:
 	p_peer.callbacks.watcher = _watch
 	p_peer.callbacks.beacon = _ask_clock
 	p_peer.callbacks.beacon_period = _clock_period
 
 
-## Lets datagrams through to a peer; null: to nobody.
+## Lets datagrams through to a peer; null stops them.
 func open(p_peer: ThreadedPeer) -> void:
 	_sending.lock()
 	_peer = p_peer

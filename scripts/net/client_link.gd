@@ -57,20 +57,21 @@ var has_thread: bool = true
 ## Whether there is a level whose shared nodes take what the server's spawners and synchronizers
 ## send; without one that is dropped. Set it before [method open].
 var takes_shared: bool = false
-## Keeps the session's token over a crash of the program; null keeps it in memory only.
+## Keeps the session's token, so that a client whose program crashed can come back; null keeps it in
+## memory only.
 var token_file: SessionTokenFile:
 	get:
 		return _handshake.token_file
 	set(p_file):
 		_handshake.token_file = p_file
 
-## Knows the server by its key.
+## Decides which keys of servers are trusted.
 var trust: ServerTrust:
 	get:
 		return _handshake.trust
 	set(p_trust):
 		_handshake.trust = p_trust
-## The key for whose sake we were refused by ourselves, after [signal refused]; else null.
+## The key because of which this end refused the server, after [signal refused]; else null.
 var other_key: OtherServerKey:
 	get:
 		return _handshake.trust.other
@@ -291,7 +292,7 @@ func _on_joined() -> void:
 	_fast.open(_peer)
 	traffic.restart()
 	joined.emit()
-	# The welcome has named the level; the rest of the program hears of it as of one that changes.
+	# The welcome has named the level; to the rest of the program it is a change of level.
 	_on_state(_level, Time.get_ticks_usec())
 
 

@@ -2,20 +2,20 @@ class_name ClockSync
 extends RefCounted
 ## Estimates the server's clock and tick from answers to [ClockMessage] questions.
 ##
-## An answer tells two delays: of the way there, by the server's clock and ours, and of the way
+## An answer gives two delays: of the path there, by the server's clock and ours, and of the path
 ## back. Half the difference of their quickest ([QuickestArrivals]) is the offset of the clocks, if
-## both ways take equally long at best, and the slope of it over minutes is the drift.
+## both paths take equally long at best. Its slope over minutes is the drift.
 
-## Of each span of so long, s, the quickest answer counts; of the newest two before the drift is
-## known.
+## Length of the spans of which the quickest answer counts, s: of the newest two spans before the
+## drift is known.
 const SPAN_S: float = 5.0
-## From so many spans on the drift is measured.
+## Number of spans from which on the drift is measured.
 const DRIFT_SPANS: int = 4
 ## Maximum drift of two clocks, parts per million; more is an error of measurement.
 const MAX_DRIFT_PPM: float = 300.0
-## A round trip beyond this is of no use, s.
+## Longest round trip that is used, s.
 const MAX_TRIP_S: float = 2.0
-## An offset that changes by this much means another clock, s.
+## Change of the offset that means another clock, s.
 const JUMP_S: float = 1.0
 
 ## Server's time minus ours at the newest answer, µs.

@@ -14,7 +14,7 @@ signal key_changed(p_other: OtherServerKey)
 const _RETRY_S: float = 2.0
 ## Seconds until the first one after a working connection was lost.
 const _SOON_S: float = 0.3
-## What we wait for, by [enum JoinReply.Wait], for our user and for the log; our place follows.
+## Texts for user and log, by [enum JoinReply.Wait]: what we wait for. Our position follows.
 const _STATUS: Array[String] = [
 	"Waiting for an instructor, position %d ...",
 	"The server is full.\nWaiting for room, position %d ...",

@@ -1,33 +1,34 @@
 class_name SampleClock
 extends RefCounted
-## Finds for the server which moment of a wearer's motion is "now".
+## Decides for the server which moment of a wearer's motion a tick shows.
 ##
 ## Samples carry the wearer's clock and arrive with a varying delay: [QuickestArrivals] gives the
 ## offset of the clocks. The moment advances by whole steps of the simulation and is pulled gently
 ## to what the offset gives, so that jitter does not shake the ragdoll.
 ##
-## Where samples often come too late for the tick that needs them (jitter, a loaded machine), the
-## moment waits for them by up to a tick: what is not known has to be foreseen, and the error of
-## that grows with the square of the time.
+## Where samples often arrive too late for the tick that needs them (jitter, a loaded machine), the
+## moment is delayed by up to a tick. Otherwise motion has to be extrapolated, and the error of that
+## grows with the square of the time.
 
 ## How much of the error is corrected per step.
 const CORRECTION: float = 0.1
-## An error that has not lasted is corrected by no more than this per step, s: a tick that begins
-## late is no other moment of the motion.
+## Greatest correction of a short error per step, s: a tick that begins late is no other moment of
+## the motion.
 const CALM_S: float = 0.0003
-## How long an error lasts until all of it counts, s.
+## Time after which an error counts whole, s.
 const LASTING_S: float = 0.5
 ## An error beyond this is a jump (a loop of a clip, another suit): the clock is set anew. Seconds.
 const JUMP_S: float = 0.5
-## The share of ticks that are to begin with a sample no older than [constant FREE_S].
+## The share of ticks that should begin with a sample no older than [constant FREE_S].
 const IN_TIME: float = 0.9
-## Age of the newest sample at a tick that is no reason to wait, s: it is sampled that long before.
+## Age of the newest sample at a tick that is no reason to delay, s: a sample is taken that long
+## before the tick.
 const FREE_S: float = 0.002
-## The longest wait, s.
+## The longest delay, s.
 const MAX_WAIT_S: float = 1.0 / 60.0
-## Who has paused for so long is not waited for, s.
+## Pause of a sender after which its samples do not delay the moment, s.
 const PAUSE_S: float = 0.25
-## How fast the wait changes at most, seconds per second.
+## Greatest change of the delay, seconds per second.
 const WAIT_RATE: float = 0.05
 
 # The server's time minus the wearer's, at the server's time, s.
@@ -70,7 +71,8 @@ func advance(p_now_s: float, p_delta_s: float) -> float:
 ## Moves the wait towards the quantile [constant IN_TIME] of what would have been necessary, by the
 ## sign of the difference (stochastic approximation, Robbins and Monro 1951).
 func _adapt_wait(p_needed_s: float, p_delta_s: float) -> void:
-	# Who has paused is not waited for. Written so that NaN, before the first sample, changes nothing.
+	# A sender that has paused causes no delay. Written so that NaN, before the first sample,
+	# changes nothing.
 	if not absf(p_needed_s) <= PAUSE_S:
 		return
 	var part: float = IN_TIME if p_needed_s > _wait_s else IN_TIME - 1.0

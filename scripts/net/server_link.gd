@@ -34,12 +34,12 @@ const _LOOK_USEC: int = 100000
 var traffic: TrafficMeter = TrafficMeter.new()
 ## Whom the server admits.
 var rules: ServerRules = ServerRules.new()
-## What clients sent and was not taken in, since the start: how often, by the key of its complaint.
+## Number of messages that were refused since the start, by the key of the complaint.
 var refused: Dictionary[String, int]:
 	get:
 		return _inbox.refused
 
-## How often sessions may send what.
+## Limits of how often sessions may send each message.
 var rates: MessageRates:
 	get:
 		return _inbox.rates
@@ -97,7 +97,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	return OK
 
 
-## Asks the passwords that [member rules] have now of those who come from now on.
+## Takes over changed passwords of [member rules] for clients that connect from now on.
 func renew_passwords() -> void:
 	if _peer != null:
 		_peer.sealing = rules.sealing()
@@ -148,7 +148,7 @@ func stats() -> Dictionary:
 	return stats
 
 
-## Says which tick begins, and when, [method Time.get_ticks_usec]: clients ask for it.
+## Sets the present tick and when it began, [method Time.get_ticks_usec]: clients ask for both.
 func publish_tick(p_tick: int, p_usec: int, p_tick_rate: int = 60) -> void:
 	_ticks.publish(p_tick, p_usec, p_tick_rate)
 
@@ -223,7 +223,7 @@ func admit(p_peer: int) -> String:
 	return _handshake.admit(p_peer)
 
 
-## The place of a peer among those who wait for room, from 1; 0 if it does not.
+## Position of a peer among those who wait for room, from 1; 0 if it does not wait.
 func place_of(p_peer: int) -> int:
 	return _handshake.place_of(p_peer)
 
@@ -233,7 +233,7 @@ func refuse(p_peer: int, p_why: String) -> String:
 	return _handshake.refuse(p_peer, p_why)
 
 
-## Dismisses a client, which is told why. Returns why not, or an empty text.
+## Dismisses a client, which gets a notice with the reason. Returns why not, or an empty text.
 func kick(p_session: int, p_why: String) -> String:
 	var session: Session = _sessions.find(p_session)
 	if session == null:
@@ -386,7 +386,7 @@ func _on_people(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int
 	return PeopleMessage.error
 
 
-## Who leaves proves that the session is its own: what ENet says of it can be forged.
+## A client that leaves proves that the session is its own: what ENet says of it can be forged.
 func _on_leave(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
 	if not Crypto.new().constant_time_compare(p_session.token, p_bytes.slice(1)):
 		return "a farewell without its token"

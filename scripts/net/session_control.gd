@@ -28,7 +28,7 @@ var _is_roster_due: bool = false
 var _roster_s: float = 0.0
 
 
-## A calibration that an instructor has asked for.
+## A calibration that an instructor has ordered.
 class Calibrating:
 	## Session of the instructor, and the number of its order.
 	var instructor: int = 0
@@ -106,13 +106,13 @@ func _on_order(p_caller: Session, p_bytes: PackedByteArray, _arrival_usec: int) 
 	return ""
 
 
-## Whether an order does not come too soon; if it does, its sender is told.
+## Whether an order does not come too soon; if it does, its sender gets a notice.
 func _may_now(p_caller: Session, p_order: OrderMessage) -> bool:
 	var now: float = Time.get_ticks_usec() / 1e6
 	var what: StringName = MessageRates.OF_ORDERS[p_order.kind]
 	var may: bool = false
 	if p_order.kind == OrderMessage.Kind.LEVEL:
-		# Which of them are carried out, and when, is for those to say who change levels.
+		# Those who change levels decide which of them are carried out, and when.
 		may = _link.rates.take_of_session(what, p_caller.id, now)
 	else:
 		may = _link.rates.take(what, p_caller.id, now)
@@ -194,7 +194,7 @@ func _calibrate(p_caller: Session, p_order: OrderMessage) -> void:
 	_reply(p_caller, p_order.number, AnswerMessage.Outcome.BEGUN, "%s: calibrating" % name)
 
 
-## One person has one calibration at a time: whoever never answers must not use them all up.
+## A person has one calibration at a time: clients that never answer must not use up all.
 func _replace_calibration(p_session: int, p_index: int) -> void:
 	for number: int in _calibrations.keys():
 		var asked: Calibrating = _calibrations[number]

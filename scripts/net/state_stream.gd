@@ -1,6 +1,6 @@
 @abstract class_name StateStream
 extends RefCounted
-## Where a client's world comes from: a server, or a recording. The client does not know which.
+## The source of a client's world: a server or a recording. The client does not know which.
 
 ## A message about the state of the world: a snapshot's datagram, a change of the entity table,
 ## events, a level. The time is that of [method now_s] at which it arrived. Not checked yet.
@@ -50,7 +50,7 @@ var traffic: TrafficMeter = TrafficMeter.new()
 ## Where it comes from, for people: the server's address, or the file.
 @abstract func describe() -> String
 
-## How well the connection is protected, for the screen; empty where there is none.
+## How the connection is protected, for the screen; empty where there is none.
 @abstract func security() -> String
 
 ## Sends a datagram to the server, if there is one.

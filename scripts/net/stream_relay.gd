@@ -1,11 +1,11 @@
 class_name StreamRelay
 extends RefCounted
-## Relays a stream of the fast path that the server does not read, such as voice, from each client
-## to those whom it interests. A feature makes one for its kind of message.
+## Relays datagrams that the server does not read, such as voice, from each client to the clients
+## near by. A feature makes one for its kind of message.
 ##
-## A client sends a datagram with the kind in its first byte; what follows is its own. Others get
-## the kind, the number of the sender's session (u32, little endian), and what followed. Datagrams
-## may be lost, and come twice or in another order.
+## A client sends a datagram: the kind in the first byte, then the content. Receivers get the kind,
+## the number of the sender's session (u32, little endian), and the content. Datagrams may be lost,
+## repeated or reordered.
 
 ## Bytes before what a client sent, in what the others get.
 const HEAD: int = 5
@@ -21,8 +21,8 @@ var _max_bytes: int = 0
 
 
 ## Relays messages of a kind whose senders have a capability (of [enum Roles.Capability]; 0: all),
-## of each client so many a second, with at most so many bytes each. Who gets them says
-## [code]func(session: int) -> PackedInt32Array[/code] with the sessions, such as
+## of each client so many a second, of so many bytes at most. [code]func(session: int) ->
+## PackedInt32Array[/code] returns the sessions that get them, such as
 ## [code]NearbySessions.find[/code].
 func _init(
 	p_link: ServerLink,

@@ -8,7 +8,7 @@ var _usec: int = 0
 var _rate: int = 60
 
 
-## Says which tick begins, and when, µs.
+## Sets the tick that begins, and when, µs.
 func publish(p_tick: int, p_usec: int, p_rate: int) -> void:
 	_mutex.lock()
 	_tick = p_tick

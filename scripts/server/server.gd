@@ -11,7 +11,7 @@ signal left(p_exit_code: int)
 
 ## Exit code for wrong options.
 const _EXIT_OPTIONS: int = 2
-## Below this speed of the world a frame's last tick is sent only.
+## Speed of the world below which only the last tick of a frame is sent.
 const _MIN_SPEED: float = 0.8
 
 @export var _level: ServerLevel
@@ -67,7 +67,7 @@ func _physics_process(p_delta: float) -> void:
 	var begin: int = Time.get_ticks_usec()
 	var stats: ServerStats = _context.stats
 	if _sent_tick != _context.tick and stats.watch.speed > _MIN_SPEED:
-		# A late frame has several ticks: who sees the world gets each of them.
+		# A late frame has several ticks: clients get each of them.
 		_send_tick()
 	stats.begin_work()
 	for part: ServerPart in _parts:

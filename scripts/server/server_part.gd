@@ -20,7 +20,7 @@ func open(p_context: ServerContext) -> String:
 	return ""
 
 
-## A tick begins, at a time in µs: takes in what has arrived, of earlier ticks.
+## A tick begins, at a time in µs: takes in what has arrived since the last one.
 func receive(_now_usec: int) -> void:
 	pass
 
@@ -40,7 +40,7 @@ func send(_now_usec: int) -> void:
 	pass
 
 
-## Nothing is due before the next tick: there is time for what no tick waits for.
+## Nothing is due before the next tick: does work that no tick should wait for.
 func idle() -> void:
 	pass
 

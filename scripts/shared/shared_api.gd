@@ -14,7 +14,7 @@ const NO_SHARED_ROOT: NodePath = ^"/root"
 
 ## The session's API; null while there is none.
 var base: SceneMultiplayer = null
-## Who makes the call that is being carried out; 0 if none is.
+## Session of the caller whose call is being carried out; 0 if none is.
 var sender: int = 0
 
 var _path: NodePath = NodePath()

@@ -21,7 +21,7 @@ enum Verdict {
 const LIMIT_MS: int = 4000
 ## Time that the process may take to start, ms.
 const START_MS: int = 30000
-## Starts in a row without an answer, after which no more are tried.
+## Starts in a row without an answer after which no more are tried.
 const MAX_STARTS: int = 3
 const SCENE: String = "res://scenes/studio/sandbox.tscn"
 

@@ -15,7 +15,7 @@ var folder: String = EffectFile.FOLDER
 var name: String = ""
 ## The text as it is in the file.
 var saved: String = ""
-## What the last call has to say; empty if all went well.
+## Message of the last call; empty if all went well.
 var error: String = ""
 ## Whether the file is no text: then it is neither shown nor saved over.
 var is_foreign: bool = false

@@ -6,8 +6,8 @@ extends UiRow
 
 ## The user has moved it, or typed a number.
 signal moved(value: float)
-## The user has moved it and let it go, or goes elsewhere: see [method settle]. What is written to a
-## file waits for this.
+## The user has moved it and let it go, or has left it: see [method settle]. Write to files only at
+## this signal.
 signal settled(value: float)
 
 ## Width of the number, px.

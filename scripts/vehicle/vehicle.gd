@@ -21,7 +21,7 @@ extends RigidBody3D
 var input: VehicleInput = VehicleInput.new()
 ## What the simulation makes of it.
 var state: VehicleState = VehicleState.new()
-## Why it has no wheels, or an empty text.
+## Why the wheels could not be made, or an empty text.
 var fault: String = ""
 
 var _gear_kind: VehicleParameters.GearKind = VehicleParameters.GearKind.SPHERES
@@ -124,7 +124,7 @@ func reset_upright() -> void:
 	teleport(Transform3D(Basis.looking_at(ahead.normalized(), Vector3.UP), at))
 
 
-## Puts the vehicle somewhere, at rest. Not finite places are refused.
+## Puts the vehicle at a transform, at rest. Values that are not finite are refused.
 func teleport(p_transform: Transform3D) -> void:
 	if not p_transform.is_finite():
 		return
@@ -139,7 +139,7 @@ func teleport(p_transform: Transform3D) -> void:
 
 
 ## Moves the vehicle with its wheels a little (in the world) without stopping it, and changes its
-## velocity (m/s) and angular velocity (rad/s): for who knows better where it is.
+## velocity (m/s) and angular velocity (rad/s): for a prediction that the server corrects.
 func shift(p_by: Transform3D, p_velocity: Vector3, p_spin: Vector3) -> void:
 	if not (p_by.is_finite() and p_velocity.is_finite() and p_spin.is_finite()):
 		return
@@ -151,8 +151,8 @@ func shift(p_by: Transform3D, p_velocity: Vector3, p_spin: Vector3) -> void:
 			state.angular_velocity += p_spin
 
 
-## Has the vehicle move at a velocity (m/s) and angular velocity (rad/s, both in the world), its
-## wheels rolling along.
+## Gives the vehicle a velocity (m/s) and angular velocity (rad/s, both in the world), with wheels
+## that roll along.
 func set_motion(p_velocity: Vector3, p_spin: Vector3) -> void:
 	if not (p_velocity.is_finite() and p_spin.is_finite()):
 		return
@@ -177,7 +177,7 @@ func stats() -> VehicleStats:
 	return VehicleStats.new() if _gear == null else VehicleStats.read(_gear, _drivetrain)
 
 
-## Bodies of the wheels, for whoever must not touch them; empty where they are rays.
+## Bodies of the wheels, for callers that must not collide with them; empty where wheels are rays.
 func wheel_bodies() -> Array[RID]:
 	var bodies: Array[RID] = []
 	if _gear != null:

@@ -1,8 +1,8 @@
 class_name VehicleCheck
 extends RefCounted
-## What makes no sense in the parameters of a vehicle.
+## Finds parameters of a vehicle that make no sense.
 
-# Must be above zero.
+# Parameters that must be above zero.
 const _POSITIVE: Array[StringName] = [
 	&"mass",
 	&"engine_max_rpm",
@@ -16,7 +16,7 @@ const _POSITIVE: Array[StringName] = [
 	&"steering_wheelbase",
 	&"steering_rate",
 ]
-# Must not be below zero.
+# Parameters that must not be negative.
 const _NOT_NEGATIVE: Array[StringName] = [
 	&"drag_area",
 	&"rolling_resistance",

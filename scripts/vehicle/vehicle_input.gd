@@ -2,9 +2,9 @@ class_name VehicleInput
 extends RefCounted
 ## What the driver of a vehicle does. What is not a number counts as nothing.
 
-## Which way the driver wants to go.
+## Direction that the driver has selected.
 enum Selector {
-	## Forward or back as the throttle says, once the vehicle stands.
+	## Forward or back as the throttle says, once the vehicle stands still.
 	AUTOMATIC,
 	## F: forward; a throttle below zero brakes.
 	FORWARD,
@@ -22,7 +22,7 @@ var steer: float = 0.0
 var brake: float = 0.0
 ## Parking brake, 0 to 1.
 var handbrake: float = 0.0
-## Which way to go.
+## The selected direction.
 var gear: Selector = Selector.AUTOMATIC
 
 

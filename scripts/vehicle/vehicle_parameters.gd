@@ -57,23 +57,24 @@ enum Steering {
 @export_range(0.0, 5.0, 0.01, "suffix:s") var engine_response: float = 0.2
 
 @export_group("Gearbox", "gearbox_")
-## Turns of the engine for one of the wheel, first gear first: final drive and all.
+## Ratios of the forward gears, first gear first: turns of the engine for one turn of the wheel,
+## final drive included.
 @export var gearbox_forward: PackedFloat32Array = PackedFloat32Array()
-## The same of the reverse gears.
+## Ratios of the reverse gears, likewise.
 @export var gearbox_reverse: PackedFloat32Array = PackedFloat32Array()
 ## Radius of the wheels that the gears are made for, m.
 @export_range(0.01, 5.0, 0.001, "suffix:m") var gearbox_wheel_radius: float = 0.6
 ## Share of the power that reaches the wheels.
 @export_range(0.05, 1.0, 0.01) var gearbox_efficiency: float = 0.85
-## For so long a shift interrupts the drive, s.
+## Time for which a shift interrupts the drive, s.
 @export_range(0.0, 3.0, 0.01, "suffix:s") var gearbox_shift_time: float = 0.4
-## Shifts up at such a share of the engine's highest speed with the pedal down.
+## Share of the engine's highest speed at which it shifts up at full throttle.
 @export_range(0.3, 1.0, 0.01) var gearbox_up_share: float = 0.94
-## Shifts down below such a share of the engine's highest speed with the pedal down.
+## Share of the engine's highest speed below which it shifts down at full throttle.
 @export_range(0.1, 0.9, 0.01) var gearbox_down_share: float = 0.5
-## Torque of the converter over the engine's when the vehicle stands; 1: there is no converter.
+## Torque ratio of the converter at stall; 1: there is no converter.
 @export_range(1.0, 4.0, 0.01) var gearbox_stall_ratio: float = 2.0
-## Speed that the engine reaches at full load when the vehicle stands, 1/min.
+## Stall speed: speed that the engine reaches at full load when the vehicle stands, 1/min.
 @export_range(100.0, 10000.0, 1.0, "suffix:1/min") var gearbox_stall_rpm: float = 1700.0
 ## Ratio of turbine to pump from which a clutch bridges the converter.
 @export_range(0.5, 0.98, 0.01) var gearbox_lock_share: float = 0.85
@@ -87,13 +88,13 @@ enum Steering {
 @export_group("Steering", "steering_")
 ## How the vehicle is steered.
 @export var steering_kind: Steering = Steering.TRACKS
-## Acceleration to the side that the driver is given at most, m/s^2.
+## Greatest lateral acceleration that steering allows, m/s^2.
 @export_range(0.1, 20.0, 0.1, "suffix:m/s^2") var steering_most_sideways: float = 3.5
-## Tracks: between their middles, m.
+## Tracks: distance between their middles (tread), m.
 @export_range(0.1, 10.0, 0.01, "suffix:m") var steering_tread: float = 2.8
-## Tracks: speed of either, in opposite ways, on the spot, m/s.
+## Tracks: speed of each in opposite directions when turning on the spot, m/s.
 @export_range(0.0, 10.0, 0.01, "suffix:m/s") var steering_pivot_speed: float = 1.5
-## Tracks: force of steering on either at most, N.
+## Tracks: greatest steering force on each, N.
 @export_range(0.0, 1000000.0, 1.0, "suffix:N") var steering_force: float = 200000.0
 ## Tracks: time constant of the steering, s.
 @export_range(0.01, 3.0, 0.01, "suffix:s") var steering_response: float = 0.25

@@ -1,6 +1,6 @@
 class_name VehicleSetup
 extends RefCounted
-## Makes what drives a vehicle of its parameters.
+## Builds the drivetrain and the running gear of a vehicle from its parameters.
 
 
 ## A drivetrain.

@@ -30,7 +30,7 @@ var right_speed: float = 0.0
 var turret_yaw: float = 0.0
 ## Elevation of the gun above the hull's plane, rad; up is positive.
 var gun_pitch: float = 0.0
-## Whether the aim is held in the world.
+## Whether the gun is stabilised: the aim is held in the world.
 var stabilised: bool = true
 ## The commander's hatch: 0 shut, 1 open.
 var hatch: float = 0.0

@@ -11,7 +11,7 @@ var spring_forces: PackedFloat32Array = PackedFloat32Array()
 var wheel_speeds: PackedFloat32Array = PackedFloat32Array()
 ## Speeds at which wheels slip over the ground, m/s.
 var slips: PackedFloat32Array = PackedFloat32Array()
-## 1 where a wheel touches anything, 0 where not.
+## 1 for a wheel that touches the ground, else 0.
 var contacts: PackedByteArray = PackedByteArray()
 ## Where wheels touch the ground, in the world, m.
 var contact_points: PackedVector3Array = PackedVector3Array()

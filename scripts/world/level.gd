@@ -22,7 +22,7 @@ extends Node3D
 ## Scenes that may be added while a session runs: a server can have clients make instances of these
 ## and of no others.
 @export var spawnable: Array[PackedScene] = []
-## What people are shown as who choose no avatar: a name of [AvatarStore]; empty for its default.
+## Avatar of people who choose none: a name of [AvatarStore]; empty: the store's default.
 @export var default_avatar: String = "":
 	set(p_value):
 		default_avatar = p_value

@@ -10,10 +10,10 @@ const _STEPS: float = 10000.0
 
 var _level: Level = null
 var _context: HashingContext = HashingContext.new()
-# What is still to be hashed: nodes, and bytes between them.
+# What is still to be hashed: nodes, and the bytes that go between them.
 var _parts: Array = []
 var _next: int = 0
-# What finds them, one after the other: in a large level each takes milliseconds.
+# Searches that find them, one after the other: in a large level each takes milliseconds.
 var _to_gather: Array[Callable] = []
 
 

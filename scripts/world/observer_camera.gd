@@ -5,7 +5,7 @@ extends Camera3D
 ## A view of a level that observers can go to by a key: an overview, a doorway, a stage.
 ##
 ## It looks along its -Z; [i]Preview[/i] in the editor shows what it sees. It never takes over the
-## screen by itself: the client's own camera goes to its place.
+## screen by itself: the client's own camera takes its position.
 
 ## Group of all of them.
 const GROUP: StringName = &"observer_cameras"

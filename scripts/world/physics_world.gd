@@ -12,7 +12,7 @@ const FIXED: Color = Color(0.35, 0.6, 1.0)
 ## Colour of what never moves where this machine's level is not the server's.
 const DIFFERS: Color = Color(1.0, 0.2, 0.2)
 
-## Where a shape keeps its wire frame.
+## Name of the metadata in which a shape keeps its wire frame.
 const _WIRES: StringName = &"wires"
 ## Most lines along a side of a map of heights.
 const _MAP_LINES: int = 125

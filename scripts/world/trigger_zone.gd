@@ -5,14 +5,14 @@ extends Area3D
 ## A part of a level that notices who comes and who goes: people, or things.
 ##
 ## It stands on its origin. The server decides; at the server and at every client, in a replay too,
-## [signal entered] and [signal left] say who it was, and screens tell it. How many are inside are
+## [signal entered] and [signal left] say who it was, and screens show it. How many are inside are
 ## fields of its entity. No script is needed; one that listens can open a door or count.
 
 ## Somebody or something has come in: the number of the entity, and what people call it.
 signal entered(p_entity: int, p_name: String)
 ## Somebody or something has gone out.
 signal left(p_entity: int, p_name: String)
-## What screens say of it.
+## The text that screens show when somebody or something comes or goes.
 signal told(p_text: String)
 
 ## What shape it has.
@@ -43,9 +43,9 @@ const LEFT: StringName = &"left"
 const BONE: StringName = &"Hips"
 ## Smallest edge, m.
 const MIN_M: float = 0.1
-## Ticks after which it is asked again whose a body is.
+## Ticks between two searches for the entity of a body that has none yet.
 const AGAIN_TICKS: int = 6
-## Most that it counts.
+## Greatest count of people, and of things.
 const MAX_INSIDE: int = 4095
 
 static var _type: EntityType = null
@@ -68,7 +68,7 @@ static var _type: EntityType = null
 		notices = p_value
 		_set_mask()
 		update_configuration_warnings()
-## Whether screens tell who comes and goes.
+## Whether screens show who comes and goes.
 @export var is_told: bool = true
 
 var _shape: CollisionShape3D = CollisionShape3D.new()

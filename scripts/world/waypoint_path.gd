@@ -2,7 +2,7 @@
 @icon("res://scenes/world/icons/waypoint_path.svg")
 class_name WaypointPath
 extends Node3D
-## Points in a level, in their order: a patrol's way, a vehicle's route, where a camera goes.
+## Points in a level, in their order: a patrol's path, a vehicle's route, where a camera goes.
 ##
 ## The editor shows it as a line: pull a point to move it, pull the small dot between two to add
 ## one. In the game nothing is seen of it.
@@ -37,7 +37,7 @@ func get_places() -> PackedVector3Array:
 	return global_transform * points
 
 
-## Length of the way, m.
+## Length of the path, m.
 func get_length() -> float:
 	var length: float = 0.0
 	var corners: PackedVector3Array = get_corners()
@@ -46,7 +46,7 @@ func get_length() -> float:
 	return length
 
 
-## The points in the node's frame; the first one again at the end of a closed way, m.
+## The points in the node's frame; the first one again at the end of a closed path, m.
 func get_corners() -> PackedVector3Array:
 	var corners: PackedVector3Array = points.duplicate()
 	if is_closed and points.size() > 2:
@@ -54,8 +54,8 @@ func get_corners() -> PackedVector3Array:
 	return corners
 
 
-## Where somebody is who has gone so far along the way, in the world, m: the ends are the farthest;
-## a closed way goes on from its beginning. +Z points along the way.
+## The position in the world, m, at a distance along the path; +Z points along it. An open path ends
+## at its ends, a closed one begins again.
 func sample(p_distance: float) -> Transform3D:
 	var corners: PackedVector3Array = get_corners()
 	if corners.size() < 2 or get_length() == 0.0:

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The commands of the documents, as a reader types them: each comes up, and ends when told to.
+"""The documents agree with the code, and their commands do what the page says.
 
-Only SERVER is replaced, by the address of a server here; the port comes by the environment.
+The commands are typed as a reader types them: each comes up, and ends when told to. Only SERVER is
+replaced, by the address of a server here; the port comes by the environment.
 """
 
 from __future__ import annotations
@@ -98,3 +99,59 @@ def test_there_are_commands() -> None:
 def test_commands_do_what_the_page_says(reader: Reader, block: tuple[str, list[str]]) -> None:
     for line in block[1]:
         reader.call(line)
+
+
+def _text(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def _rows(text: str, heading: str) -> set[str]:
+    """The names between backticks in the first column of the table below a heading."""
+    table = text.partition(heading)[2].partition("\n\n")[0]
+    cells = [line.split("|")[1] for line in table.splitlines() if line.startswith("|")]
+    return {name for cell in cells for name in re.findall(r"`([^`]+)`", cell)}
+
+
+def _constant(name: str, constant: str) -> str:
+    """What a script gives a constant."""
+    match = re.search(rf"^const {constant}: \w+ = (\w+)$", _text(name), re.MULTILINE)
+    assert match, f"{name} has no constant {constant}"
+    return match[1]
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/limits.md", "docs/protocol.md"])
+def test_documents_name_the_protocol_version(page: str) -> None:
+    version = _constant("scripts/net/messages/protocol.gd", "VERSION")
+    named = re.findall(r"(?i)\bprotocol(?:,| \|)? version,? (\d+)", _text(page))
+    assert set(named) == {version}
+
+
+def test_the_readme_lists_every_world() -> None:
+    scenes = (ROOT / "scenes" / "world").glob("*/*.tscn")
+    worlds = {scene.stem for scene in scenes if scene.stem == scene.parent.name}
+    assert _rows(_text("README.md"), "| `--world=` | what it is |") == worlds
+    guide = _text("docs/session-guide.md")
+    assert {name for name in worlds if f"`--world={name}`" in guide} == worlds
+
+
+def test_the_readme_lists_every_role() -> None:
+    # docs/options.md is made from the code, which lint checks. Load has a command of its own.
+    roles = _rows(_text("docs/options.md"), "## Roles\n\n") - {"load"}
+    commands = {row.split()[1] for row in _rows(_text("README.md"), "| command | what it does |")}
+    assert commands == roles
+    help_text = _text("tools/help.txt").partition("Roles")[2].partition("\n\n")[0]
+    assert set(re.findall(r"\./run (\w+) {2,}", help_text)) == roles
+
+
+def test_every_display_is_described() -> None:
+    row = next(line for line in _text("docs/options.md").splitlines() if "`--display=NAME`" in line)
+    displays = set(row.split("|")[3].strip().split(", "))
+    assert _rows(_text("docs/displays.md"), "| `--display=` | what it is |") == displays
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/session-guide.md", "docs/limits.md"])
+def test_documents_name_options_that_there_are(page: str) -> None:
+    known = _text("docs/options.md") + _text("tools/help.txt")
+    known += "".join(_text(f"tools/help/{name}") for name in os.listdir(ROOT / "tools" / "help"))
+    named = set(re.findall(r"(?<![\w-])--[a-z][a-z-]*\w", _text(page)))
+    assert named - set(re.findall(r"--[a-z][a-z-]*\w", known)) == set()

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import pytest
 from toolchain.paths import ROOT
-from toolchain.words import ALLOWED, INSTEAD, PREFIXES, check
+from toolchain.words import ALLOWED, INSTEAD, PREFIXES, check, check_phrases
 
 
 @pytest.mark.parametrize(
@@ -35,6 +35,25 @@ def test_the_beginning_of_a_constant(line: str) -> None:
 )
 def test_other_words(line: str) -> None:
     assert list(check("scripts/net/link.gd", [line])) == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "found"),
+    [
+        (["## Both ends are told."], "are told"),
+        (["## Both ends are", "## told."], "are told"),
+        (["\t# Bursts at a place."], "at a place"),
+        (["## So long it waits, s."], "So long"),
+    ],
+)
+def test_a_phrase_in_a_comment(lines: list[str], found: str) -> None:
+    (fault,) = check_phrases("scripts/net/link.gd", ["extends Node", *lines])
+    assert fault.startswith(f"scripts/net/link.gd:2: '{found}': better ")
+
+
+@pytest.mark.parametrize("line", ['_say("you are told")', "## It waits so long.", "##", ""])
+def test_phrases_count_in_comments_alone(line: str) -> None:
+    assert list(check_phrases("scripts/net/link.gd", [line])) == []
 
 
 def test_a_word_of_somebody_else() -> None:

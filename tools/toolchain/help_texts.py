@@ -25,7 +25,7 @@ MAIN = """Dismount: people in motion-capture suits move through physics.
 
   ./run                     sets up everything; starts an exported server, a trainee who moves by a
                             recorded clip, and an observer. With a display: in windows, until one
-                            is closed. Without: for 20 s; a picture and a film are left in out/
+                            is closed. Without: for 12 s; a picture and a film are left in out/
 
 Roles (./run ROLE --help lists the options of one; all are in docs/options.md)
 {roles}

@@ -168,8 +168,8 @@ func start() -> bool:
 	return _start_motor(bones)
 
 
-## Whether it can be started; reports an error if not. Who cannot wait calls it some time before
-## [method start], which then need not look again.
+## Whether it can be started; reports an error if not. Callers that cannot wait call it some time
+## before [method start], which then need not check again.
 func check() -> bool:
 	var obstacles: PackedStringArray = _find_obstacles()
 	if not obstacles.is_empty():
@@ -179,8 +179,9 @@ func check() -> bool:
 	return not _bones.is_empty()
 
 
-## Finds where the bodies are at rest, as [method check] finds them: who cannot wait calls it after
-## that and after fitting, then [method get_joints] and [method start] need not look.
+## Finds where the bodies are at rest, as [method check] finds them. Callers that cannot wait call
+## it after that and after fitting; then [method get_joints] and [method start] need not search
+## again.
 func measure_rests() -> void:
 	_rests = BodyRests.find(get_skeleton(), profile.limbs, _bones)
 

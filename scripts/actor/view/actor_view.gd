@@ -10,14 +10,15 @@ extends RefCounted
 
 ## The mesh of head and headwear.
 const _HEAD_MESH: StringName = &"HeadMesh"
-## How the fingers are held until [method set_hands].
+## Pose of the fingers until [method set_hands].
 const _AT_EASE: String = "relaxed"
-## How they hold something, and the side of the hand that does.
+## Pose of fingers that hold something, and the side of the hand that does.
 const _IN_HAND: String = "grip"
 const _RIGHT: int = 1
-## From the hips to the farthest point of somebody who stretches an arm up, share of the height.
+## Greatest distance from the hips to a point of a person who stretches an arm up, share of the
+## height.
 const _REACH: float = 0.8
-## The visible box follows when the hips are this far from its middle, m.
+## Distance of the hips from the box's middle at which the box follows, m.
 const _SLACK: float = 0.25
 
 ## The scene that is shown.

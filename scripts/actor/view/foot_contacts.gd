@@ -1,19 +1,20 @@
 class_name FootContacts
 extends RefCounted
-## When a displayed person's feet come down: from their motion beside the hips, so that whoever sits
-## in a vehicle or is carried makes no steps.
+## Finds when a displayed person's feet come down: from their motion relative to the hips, so that
+## people who sit in a vehicle or are carried make no steps.
 
-## A foot is in the air when it goes up faster than this, m/s.
+## Speed upwards above which a foot is in the air, m/s.
 const LIFT_SPEED: float = 0.25
-## It comes down when it has gone down faster than this, and then hardly moves down any more, m/s.
+## Speeds downwards between which a foot comes down: it was faster than the first and is now slower
+## than the second, m/s.
 const MIN_SPEED: float = 0.3
 const _STILL_SPEED: float = 0.12
-## The fastest that counts: more is a teleport, m/s.
+## Greatest speed that counts, m/s: more is a teleport.
 const _MAX_SPEED: float = 9.0
-## A foot makes no second step within this time, s.
-const _AGAIN_S: float = 0.2
-## How slowly speeds are followed, s.
-const _FOLLOW_S: float = 0.02
+## Least time between two steps of a foot, s.
+const _MIN_STEP_S: float = 0.2
+## Time constant of the speeds, s.
+const _SMOOTHING_S: float = 0.02
 
 ## How fast each foot came down in [method advance], m/s; 0: it did not.
 var landed: PackedFloat32Array = [0.0, 0.0]
@@ -32,7 +33,7 @@ func advance(p_hips: Vector3, p_feet: PackedVector3Array, p_delta: float) -> voi
 	landed.fill(0.0)
 	if p_delta <= 0.0:
 		return
-	var share: float = 1.0 - exp(-p_delta / _FOLLOW_S)
+	var share: float = 1.0 - exp(-p_delta / _SMOOTHING_S)
 	if _hips.is_finite():
 		pace = lerpf(pace, minf(p_hips.distance_to(_hips) / p_delta, 12.0), share * 0.2)
 	_hips = p_hips
@@ -53,7 +54,7 @@ func _find_landing(p_foot: int) -> void:
 	if speed > LIFT_SPEED:
 		_fastest[p_foot] = 0.0
 	_fastest[p_foot] = minf(_fastest[p_foot], speed)
-	if _fastest[p_foot] < -MIN_SPEED and speed > -_STILL_SPEED and _since_s[p_foot] > _AGAIN_S:
+	if _fastest[p_foot] < -MIN_SPEED and speed > -_STILL_SPEED and _since_s[p_foot] > _MIN_STEP_S:
 		landed[p_foot] = -_fastest[p_foot]
 		_fastest[p_foot] = 0.0
 		_since_s[p_foot] = 0.0

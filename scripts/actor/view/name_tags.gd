@@ -9,13 +9,13 @@ extends Node3D
 const ACTION: StringName = &"toggle_names"
 ## Names at a time: of the people who are nearest.
 const MAX_SHOWN: int = 16
-## Nobody has a name beyond this distance, m.
+## Distance beyond which nobody has a name, m.
 const MAX_DISTANCE_M: float = 30.0
 ## Names fade from this distance on, m.
 const _FADES_FROM_M: float = 20.0
 ## How opaque a name is from near.
 const _ALPHA: float = 0.85
-## It is chosen anew, who has a name, once in so many frames.
+## Frames between two choices of who has a name.
 const _FRAMES: int = 12
 ## Height above the head's joint, m.
 const _ABOVE_M: float = 0.45

@@ -13,8 +13,8 @@ signal held(p_is_held: bool)
 const FIELD: StringName = &"torch"
 ## Command of the person's session that switches it.
 const COMMAND: StringName = &"switch_torch"
-## So many torches light at most, those nearest to the camera: each costs a pass over what it
-## lights. The others only glow.
+## Greatest number of torches that light, those nearest to the camera: each costs a pass over what
+## it lights. The others only glow.
 const MAX_LIGHTS: int = 4
 
 ## Group of those that are lit.
@@ -166,7 +166,7 @@ func _make() -> void:
 	_made.add_child(_light)
 
 
-## A piece of the tube around the beam, at a place along it.
+## A piece of the tube around the beam, at a position along it.
 func _add_tube(p_long: float, p_radius: float, p_at: float, p_colour: Color, p_glow: float) -> void:
 	var mesh: CylinderMesh = CylinderMesh.new()
 	mesh.top_radius = p_radius

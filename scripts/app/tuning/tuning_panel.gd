@@ -5,7 +5,7 @@ extends PanelContainer
 
 ## How to drive a strength group (all with an empty name), within [param blend_s] seconds.
 signal actuation_chosen(mode: RagdollMotor.Actuation, group: StringName, blend_s: float)
-## Who holds the hips.
+## The mode that holds the hips.
 signal root_mode_chosen(mode: RagdollMotor.RootMode)
 ## The strength of a group, 1 being the profile's.
 signal strength_changed(strength: float, group: StringName, blend_s: float)

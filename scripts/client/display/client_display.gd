@@ -2,10 +2,10 @@ class_name ClientDisplay
 extends ClientPart
 ## How a client shows the world: in its window, to both eyes, on walls, or in a headset.
 ##
-## The window always works: where another display cannot be, or is lost, the user is told why, and
-## sees the world in the window.
+## The window always works: where another display cannot be opened, or is lost, a notice says why,
+## and the window shows the world.
 
-# What its notes on the screen are about.
+# Topic of its notes on the screen.
 const _NOTES: StringName = &"display"
 
 ## The display, or null: the window.
@@ -85,8 +85,8 @@ func is_own_view() -> bool:
 	return context.is_headset_worn() or _tracks_head()
 
 
-## The name of a file to write: what this session recorded before the program started again for a
-## headset, or without one, is not written over.
+## A file name that is still free: after a restart for a headset, or without one, this session must
+## not overwrite what it recorded before.
 func fresh_file(p_path: String) -> String:
 	var path: String = p_path
 	var number: int = 2
@@ -96,13 +96,13 @@ func fresh_file(p_path: String) -> String:
 	return path
 
 
-## What the user should know, also who sees no window.
+## Shows a notice to the user, also to one who does not see the window.
 func tell(p_text: String) -> void:
 	if headset != null:
 		headset.tell(p_text)
 
 
-## A headset that comes back by now is not gone into.
+## From now on it does not go into a headset that comes back.
 func finish() -> void:
 	if headset != null:
 		headset.display.returns_by_itself = false
@@ -154,7 +154,7 @@ func _note_work() -> void:
 	_late.worked(Time.get_ticks_usec() - _begun_usec + roundi(drawing_ms * 1000.0))
 
 
-## Puts a wearer into the world, of which everything is where this frame (of a length, s) shows it.
+## Puts a wearer into the world, after every node is where this frame (of a length, s) shows it.
 func _place_wearer(p_step_s: float) -> void:
 	if not is_own_view():
 		return
@@ -190,7 +190,7 @@ func _agree(p_tick: float) -> float:
 ## A station whose eyes are those of its wearer: the walls are the wearer's real room.
 func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
 	if p_place == null or not context.scene.people().has(p_place.actor):
-		# Until there is a body again the walls show what the window would.
+		# Until there is a body again, the walls show what the window would show.
 		p_wall.camera = context.scene.view.camera
 		_room.restart()
 		return
@@ -263,7 +263,7 @@ func _on_told(p_text: String) -> void:
 	tell(p_text)
 
 
-## The window says for as long as it is so that there is no headset, and why.
+## A note in the window says why there is no headset, as long as there is none.
 func _show_waiting() -> void:
 	context.hud.show_note(headset.display.report()["lost"], _NOTES)
 

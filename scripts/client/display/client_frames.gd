@@ -1,7 +1,7 @@
 class_name ClientFrames
 extends ClientPart
-## When frames are made and which moment each one shows: keeps to the screen's beat, or to the
-## server's ticks where no screen paces the frames, and measures them.
+## Decides when frames are made and which moment each one shows: it follows the screen's refresh, or
+## the server's ticks where no screen paces the frames. It also measures the frames.
 
 var _clock: FrameClock = null
 var _pacer: FramePacer = null
@@ -16,7 +16,7 @@ func open(p_context: ClientContext) -> String:
 	_usual_sleep_usec = OS.low_processor_usage_mode_sleep_usec
 	if ClientContext.is_headless():
 		Engine.max_fps = context.options.number("fps")
-		# Else Godot makes 145 frames a second at most where nothing is drawn.
+		# Without this limit Godot makes up to 145 frames a second where nothing is drawn.
 		OS.low_processor_usage_mode_sleep_usec = 1
 	else:
 		RenderingServer.frame_post_draw.connect(_on_drawn)

@@ -54,12 +54,12 @@ func _init(p_scene: ClientScene, p_store: ReceivedLevels, p_send: Callable) -> v
 	_scene = p_scene
 	_store = p_store
 	download = LevelDownload.new(p_send, p_store)
-	# Without a window no picture stops, and people's avatars may come at any time.
+	# Without a window no picture can freeze, and people's avatars may come at any time.
 	_loader.has_thread = not RenderLock.is_needed()
 
 
 ## Takes a message about the state of the world. Returns whether it has been kept for later, or is
-## of no use before the level is there.
+## useless before the level is there.
 func keeps(p_bytes: PackedByteArray) -> bool:
 	var kind: int = Protocol.kind_of(p_bytes)
 	if kind == Protocol.Message.LEVEL:
@@ -127,7 +127,7 @@ func restart() -> void:
 		_clear()
 		_reference = null
 		wait = Wait.NOTHING
-	# Who restores the connection shows texts of its own meanwhile.
+	# The class that restores the connection shows texts of its own meanwhile.
 	_text = ""
 
 

@@ -10,7 +10,7 @@ signal quit_wanted
 
 ## Seconds after which an order without an answer is mentioned.
 const PATIENCE_S: float = 1.0
-## Seconds after which nobody waits for the answer any more: what comes later is said nevertheless.
+## Seconds after which an answer is no longer expected; a later one is shown nevertheless.
 const GIVE_UP_S: float = 10.0
 ## Calibration unless another is named.
 const USUAL_CALIBRATION: String = "t_to_n"
@@ -38,12 +38,13 @@ const _ABOUT_WAITING: PackedStringArray = ["admit", "refuse"]
 
 var _control: InstructorControl = null
 var _things: ThingOrders = null
-## The orders without an answer, by number: whom they are about, since when, s, and whether it is
-## the list of who is here that is wanted; and whether it was mentioned.
+## Orders without an answer, by number: their target, their time, s, whether they ask for the list
+## of who is here, and whether their delay was mentioned.
 var _open: Dictionary[int, Array] = {}
 var _wants_table: bool = false
 var _wants_quit: bool = false
-## An order for somebody who was not in the list: the newest list is asked for before it fails.
+## An order for a name that was not in the list: it fails only if the newest list does not have it
+## either.
 var _retried: PackedStringArray = []
 var _now_s: float = 0.0
 
@@ -238,7 +239,7 @@ func _note(p_about: String, p_number: int, p_is_list: bool = false) -> void:
 		_open[p_number] = [p_about, _now_s, p_is_list, false]
 
 
-## Those whom a command can be about.
+## The rows that a command can be about.
 func _candidates(p_command: String) -> Array[RosterRow]:
 	var found: Array[RosterRow] = []
 	for row: RosterRow in _control.roster:
@@ -271,7 +272,7 @@ func _named_like(p_rows: Array[RosterRow], p_text: String) -> Array[RosterRow]:
 	return p_rows.filter(func(row: RosterRow) -> bool: return row.name.to_lower().begins_with(word))
 
 
-## Who has just come may not be in the list yet.
+## A client that has just come may not be in the list yet.
 func _miss(p_command: String, p_rows: Array[RosterRow], p_rest: String) -> void:
 	var number: int = _control.ask_who() if _retried.is_empty() else 0
 	if number == 0:

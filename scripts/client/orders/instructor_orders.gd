@@ -6,7 +6,7 @@ extends RefCounted
 ## [code]time:18:30[/code] or [code]weather:rain 0.5[/code], carried out at once;
 ## [code]upright:Tank[/code] or [code]repair:*[/code], once there is such a thing.
 
-## What can be ordered, and the state in which somebody must be for it.
+## The orders, and the state that their target must be in.
 const STATES: Dictionary[String, RosterRow.State] = {
 	"admit": RosterRow.State.WAITING,
 	"refuse": RosterRow.State.WAITING,
@@ -46,7 +46,7 @@ func _init(p_text: String = "") -> void:
 		_orders.append(order)
 
 
-## Whether there is nothing to order.
+## Whether there are no orders.
 func is_empty() -> bool:
 	return _orders.is_empty()
 

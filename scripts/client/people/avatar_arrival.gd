@@ -1,7 +1,7 @@
 class_name AvatarArrival
 extends RefCounted
-## Loads the avatars of people who join, in a thread: a picture that stops for half a second is felt
-## in a head-mounted display. Those people are shown when their avatar is there.
+## Loads the avatars of people who join, in a thread: in a headset a picture that stops for half a
+## second is felt. Those people are shown when their avatar is loaded.
 
 ## Whether people wait for a thread; without a window nobody sees a picture stop.
 var waits: bool = DisplayServer.get_name() != "headless"
@@ -10,7 +10,7 @@ var waits: bool = DisplayServer.get_name() != "headless"
 var _waiting: Dictionary[int, EntityRow] = {}
 ## Paths of scenes that are being loaded.
 var _loading: Dictionary[String, bool] = {}
-## What has been loaded stays: who leaves may come back.
+## Loaded scenes are kept: people who leave may come back.
 var _kept: Dictionary[String, PackedScene] = {}
 
 
@@ -39,7 +39,7 @@ func forget(p_id: int) -> void:
 	_waiting.erase(p_id)
 
 
-## Those who need not wait any more.
+## The rows whose avatars are loaded now.
 func take_ready() -> Array[EntityRow]:
 	for path: String in _loading.keys():
 		var status: ResourceLoader.ThreadLoadStatus = ResourceLoader.load_threaded_get_status(path)

@@ -3,8 +3,8 @@ extends RefCounted
 ## The motion of one of a trainee's people: sampled and sent by a [MotionSender], and shown at once
 ## as the own body (thesis sections 7.4.2 and 7.5).
 
-## Samples should reach the server this long before a tick begins, µs: later ones wait for the next.
-## On an unsteady network a little more.
+## Time before a tick begins at which samples should reach the server, µs: later ones wait for the
+## next tick. On an unsteady network a little more.
 const LEAD_USEC: int = 3500
 const MAX_LEAD_USEC: int = 8000
 ## Span over which the lowest latency of a sample to the server counts, marks.
@@ -14,7 +14,7 @@ const _TRIPS: int = 40
 var source: MotionSource = null
 ## What is sent to the server about the wearer.
 var card: PersonCard = PersonCard.new()
-## The person in the server's world, or -1.
+## The person's number in the server's world, or -1.
 var actor: int = -1
 ## The newest sample that [method take_samples] saw, or null.
 var newest: PoseSample = null
@@ -50,7 +50,7 @@ func stop() -> void:
 func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
 	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
-	# Who is fitted to a headset is fitted to the body that is shown.
+	# A motion that is fitted to a headset is fitted to the body that is shown.
 	var worn: XrSource = source as XrSource
 	var fault: String = worn.show_on(p_joints, p_hips) if worn != null else ""
 	if fault != "":
@@ -94,8 +94,8 @@ func take_samples() -> void:
 			_body.add_sample(sample)
 
 
-## The own body at a local time, µs: seven floats a limb. Needs the server's state of it and that
-## state's tick. Empty while that is not known.
+## The own body at a local time, µs: seven floats a limb. Empty until the server's state of it, and
+## the tick of that state, are known.
 func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()

@@ -5,14 +5,14 @@ extends RefCounted
 ## The list of people has changed.
 signal changed
 
-## A motion that is older than this is no longer published, s.
+## Age from which on a motion is no longer published, s.
 const _STALE_S: float = 0.5
-## Period of looking at sizes, s, and the difference from which on they are sent anew, m: some
-## sources know a size only after a while.
+## Period of checking sizes, s, and the difference that is sent anew, m: some sources know a size
+## only after a while.
 const _SIZE_PERIOD_S: float = 1.0
 const _SIZE_STEP_M: float = 0.01
 
-## Number of the first of them whose body is shown as the wearer's own, or -1.
+## Number of the first person whose body is shown as the wearer's own, or -1.
 var first_actor: int = -1
 ## Sends poses to other programs by the VMC protocol, or null.
 var vmc_out: VmcOut = null
@@ -155,8 +155,8 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 	return bodies
 
 
-## Where the first one is, of what is shown of that body (see [method evaluate]); null where nothing
-## is known of it yet.
+## Transform of the first person's own frame, for the shown body (see [method evaluate]); null while
+## it is not known.
 func find_wearer(
 	p_replica: WorldReplica, p_own: Dictionary[int, PackedFloat32Array]
 ) -> WearerPlace:

@@ -1,6 +1,7 @@
 class_name FollowedPerson
 extends RefCounted
-## Whom a client's camera follows: the own person, else who came first, until the user chooses.
+## The person that a client's camera follows: the own person, else the one who came first, until the
+## user chooses.
 
 ## How far a click may be from somebody's trunk, m.
 const _REACH_M: float = 0.6

@@ -1,6 +1,6 @@
 class_name MotionSender
 extends RefCounted
-## Samples all people of a client in one thread and sends what they do at once, in one datagram
+## Samples all people of a client in one thread and sends the samples at once, in one datagram
 ## (thesis section 7.4.2).
 
 var _link: ClientLink = null

@@ -1,8 +1,9 @@
 class_name TetherNote
 extends RefCounted
-## Tells a wearer that the own body cannot follow: how far away the motion is, and where.
+## Text that says to a wearer that the own body cannot follow: how far away the motion is, and in
+## which direction.
 
-## Shorter tethers are not told, m.
+## Length below which a tether is not mentioned, m.
 const MIN_M: float = 0.1
 
 const _DIRECTIONS: Array[String] = ["ahead of you", "to your left", "behind you", "to your right"]
@@ -14,7 +15,7 @@ static func describe(p_tether: Vector2, p_heading: float) -> String:
 	var length: float = p_tether.length()
 	if length < MIN_M:
 		return ""
-	# Of the way to the motion, from the body's front, which is +Z, to its left, +X.
+	# Direction to the motion, from the body's front, which is +Z, to its left, +X.
 	var angle: float = atan2(-p_tether.x, -p_tether.y) - p_heading
 	var direction: String = _DIRECTIONS[posmod(roundi(angle / (PI / 2.0)), 4)]
 	return "Held back: your motion is %.1f m %s" % [length, direction]

@@ -6,7 +6,7 @@ extends EntityHost
 ## Something strikes something, or scrapes along it, in the tick that is displayed now.
 signal struck(p_impact: Impact)
 
-## Period of resending a command that is not acknowledged, and for how long, s.
+## Period of resending a command that is not acknowledged, and how long it is resent, s.
 const _RESEND_S: float = 0.05
 const _GIVE_UP_S: float = 3.0
 

@@ -7,8 +7,8 @@ extends RefCounted
 ## [method hold], and [method release] when it is gone. It never moves what
 ## the server simulates: bodies of props and people are kinematic here.
 
-## Bodies that may come before the space makes a few steps. Jolt gives the nodes of its trees back
-## only then: without any, it ends the program after some 100,000 bodies.
+## Number of added bodies after which the space makes a few steps. Jolt frees the nodes of its trees
+## only in a step: without any, the program would end after some 100,000 bodies.
 const MAX_ADDED: int = 512
 
 const _TIDYING_FRAMES: int = 3
@@ -43,7 +43,7 @@ static func release() -> void:
 	PhysicsServer3D.set_active(is_stepping())
 
 
-## So many bodies have come into the space.
+## Counts bodies that have come into the space.
 static func note_added(p_bodies: int) -> void:
 	_added += p_bodies
 

@@ -4,9 +4,9 @@ extends RefCounted
 
 ## Most that wait; beyond it the oldest are dropped.
 const MAX_WAITING: int = 512
-## What comes later than so many ticks is not heard any more.
+## Delay after which an impact is dropped, ticks.
 const LATE_TICKS: float = 30.0
-## What is further ahead is invalid, ticks.
+## Distance ahead beyond which an impact is invalid, ticks.
 const AHEAD_TICKS: float = 600.0
 
 var _waiting: Array[Impact] = []

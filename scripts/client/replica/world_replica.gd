@@ -22,13 +22,13 @@ const SMOOTHING: Dictionary[String, SnapshotSmoother.Method] = {
 	"error_offset": SnapshotSmoother.ERROR_OFFSET,
 	"adaptive_low_delay": SnapshotSmoother.ADAPTIVE_LOW_DELAY,
 }
-## Acknowledgements are at least so far apart, µs, unless more datagrams came than one speaks of.
+## Least time between two acknowledgements, µs, unless more datagrams came than one can name.
 const ACK_PERIOD_USEC: int = 112000
-## An acknowledgement speaks of one datagram more than that.
+## An acknowledgement names so many datagrams and one more.
 const MAX_UNACKNOWLEDGED: int = 32
-## The decoder takes nothing that is so many ticks older than the newest, unless that was wrong.
+## Age beyond which the decoder takes no snapshot, ticks behind the newest, unless that was wrong.
 const STALE: int = 30
-## Fields are looked at for so long after their last update, ticks: then they have come to rest.
+## Ticks after their last update for which fields are evaluated: then they have come to rest.
 const _FIELD_TICKS: int = 60
 
 ## Datagrams that were of use.
@@ -41,7 +41,7 @@ var events: EventQueue = EventQueue.new()
 var impacts: ImpactQueue = ImpactQueue.new()
 ## The newest tick that has come, or -1.
 var newest_tick: int = -1
-## What became of the datagram that was taken last.
+## Outcome of the last datagram.
 var outcome: SnapshotDecoder.Outcome = SnapshotDecoder.OK
 ## Reads the snapshots: what the last datagram of use had, and which command the server has applied.
 var decoder: SnapshotDecoder = SnapshotDecoder.new()

@@ -51,10 +51,10 @@ func get_forces() -> ForceFeedback:
 	return _forces
 
 
-## Tells a frame the pose of the motion platform now: what is commanded to it.
+## Adds the motion platform's present pose, as commanded, to the headset's frame.
 func tell_platform(p_frame: PlatformFrame) -> void:
 	var sender: PlatformSender = _platform.get_sender()
-	# Without a seat the platform goes back to its middle, and is moved on the way.
+	# Without a seat the platform goes back to its middle; it still moves on the way there.
 	if _platform.platform != null:
 		p_frame.push_cue(Time.get_ticks_usec(), sender.get_position(), sender.get_attitude())
 

@@ -3,7 +3,7 @@ extends ClientPart
 ## What this client's user does and sees in the seat of a vehicle: controls, views, instruments, and
 ## what hands and motion platform feel.
 
-## A gun's recoil is over in so long, s.
+## Duration of a gun's recoil, s.
 const KICK_S: float = 0.06
 
 var _controls: SeatControls = null

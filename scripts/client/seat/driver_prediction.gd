@@ -3,17 +3,17 @@ extends Node
 ## Lets the vehicle that this client's user drives obey at once: see [PredictedVehicle]. Decides
 ## which tick of the server each of the client's steps is, and takes what snapshots say.
 
-## Commands arrive so long before their tick, ticks: what the network varies by.
+## Margin with which commands arrive before their tick, ticks: the variation of the network.
 const MARGIN_TICKS: float = 3.0
-## The step is another tick once it is off by more than this, ticks.
+## Error beyond which the tick of a step is set anew, ticks.
 const MAX_DRIFT: float = 1.5
-## With fewer frames than this in a second the physics could not keep up, and nothing is predicted.
+## Frames per second below which nothing is predicted: the physics could not keep up.
 const MIN_FPS: float = 20.0
-## A vehicle whose tracks run slower than this together is at rest, m/s.
+## Sum of the tracks' speeds below which a vehicle is at rest, m/s.
 const _REST_SPEED: float = 0.1
-## Without news of the server for so many ticks nobody knows where the vehicle is.
+## Ticks without a state of the server after which the vehicle counts as lost.
 const MAX_AGE_TICKS: int = 90
-## So long it waits before it tries again, s.
+## Wait before the next attempt, s.
 const _PATIENCE_S: float = 2.0
 
 ## What is predicted, or null.
@@ -79,7 +79,8 @@ func _physics_process(_delta: float) -> void:
 	_controls.command_tick = next
 
 
-## Has the replica show the vehicle where it is predicted: before it is evaluated.
+## Makes the replica show the vehicle where it is predicted: call it before the replica is
+## evaluated.
 func apply() -> void:
 	if predicted != null:
 		var share: float = Engine.get_physics_interpolation_fraction()

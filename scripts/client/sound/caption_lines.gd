@@ -1,7 +1,7 @@
 class_name CaptionLines
 extends CanvasLayer
-## Captions of sounds at the lower edge: what is heard, from where, how far; an arrow turns towards
-## it.
+## Captions of sounds at the lower edge: name, direction and distance; an arrow turns towards the
+## sound.
 
 ## Most lines at once, and how long each stays, s.
 const MAX_LINES: int = 4

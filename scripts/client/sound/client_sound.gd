@@ -6,10 +6,9 @@ extends ClientPart
 
 ## What the option --sound can be.
 const MODES: PackedStringArray = ["auto", "on", "off"]
-## People who strike the ground more weakly than this make steps, which are heard by their poses,
-## N s.
+## Impulse below which contacts of people count as steps, which are heard from their poses, N s.
 const _STEP_IMPULSE: float = 80.0
-## How loud the tick of news and of the menu is, dB.
+## Level of the tick for news and of the menu, dB.
 const _TICK_DB: float = -18.0
 
 ## The voices; null where sound is off.

@@ -2,17 +2,17 @@ class_name DoorSounds
 extends RefCounted
 ## Hinges that creak and doors that fall shut, from how doors are displayed.
 
-## Farther from the listener doors are not looked at, m.
-const AWAY_M: float = 30.0
+## Distance from the listener beyond which doors are silent, m.
+const MAX_DISTANCE_M: float = 30.0
 ## Doors near the listener are looked for so often, s.
 const _SEARCH_S: float = 0.5
-## Slower than this nothing is heard, and faster than this no hinge creaks, degrees/s.
+## Angular speed below which a door is silent, and above which no hinge creaks, degrees/s.
 const _MIN_SPEED: float = 6.0
 const _CREAK_SPEED: float = 70.0
-## This near to shut, a door that moves falls into its frame, degrees.
+## Angle from shut at which a moving door falls into its frame, degrees.
 const _SHUT_DEG: float = 2.0
-## A hinge creaks no sooner again than this, s.
-const _AGAIN_S: float = 1.4
+## Least time between two creaks of a hinge, s.
+const _MIN_GAP_S: float = 1.4
 
 var _voices: SoundVoices = null
 var _all: Array[Door] = []
@@ -58,7 +58,7 @@ func _search() -> void:
 	_near.clear()
 	var ear: Vector3 = _voices.ear()
 	for door: Door in _all:
-		if is_instance_valid(door) and door.global_position.distance_to(ear) < AWAY_M:
+		if is_instance_valid(door) and door.global_position.distance_to(ear) < MAX_DISTANCE_M:
 			_near.append(door)
 	for door: Variant in _angles.keys():
 		if not is_instance_valid(door) or not _near.has(door):
@@ -73,6 +73,6 @@ func _listen(p_door: Door, p_before: float, p_angle: float, p_delta: float) -> v
 	var was_open: bool = absf(p_before) > _SHUT_DEG
 	if was_open and (absf(p_angle) <= _SHUT_DEG or p_angle * p_before < 0.0):
 		_voices.play(&"door_shut", place, linear_to_db(clampf(speed / 90.0, 0.1, 2.0)))
-	elif speed < _CREAK_SPEED and _clock_s - _creaked_s.get(p_door, -9.0) > _AGAIN_S:
+	elif speed < _CREAK_SPEED and _clock_s - _creaked_s.get(p_door, -9.0) > _MIN_GAP_S:
 		_creaked_s[p_door] = _clock_s
 		_voices.play(&"door_creak", place, linear_to_db(clampf(speed / 40.0, 0.2, 1.2)) - 8.0)

@@ -2,21 +2,24 @@ class_name PeopleSounds
 extends RefCounted
 ## Steps, cloth and gear of the people who are displayed: from their poses, at no byte.
 
-## Farther from the listener nobody is looked at, m.
-const AWAY_M: float = 45.0
-## A sole is so far below the ankle, m; and from so far above a ray looks for the ground.
+## Distance from the listener beyond which people are silent, m.
+const MAX_DISTANCE_M: float = 45.0
+## Distance from the ankle down to the sole, and height above it from which a ray looks for the
+## ground, m.
 const _SOLE_M: float = 0.09
 const _ABOVE_M: float = 0.35
 const _BELOW_M: float = 0.14
-## A foot that comes down at this speed sounds as made, m/s.
+## Speed of a foot at which a step has its recorded level, m/s.
 const _STEP_SPEED: float = 1.1
-## Faster than this gear rattles at each step, m/s.
+## Speed above which gear rattles at each step, m/s.
 const _RUN_SPEED: float = 2.2
-## Hands faster than this beside the hips rub cloth, m/s; and no sooner again than this, s.
+## Speed of hands beside the hips above which cloth rubs, m/s, and least time between two such
+## sounds, s.
 const _HAND_SPEED: float = 1.3
 const _CLOTH_S: float = 0.35
-## Only people who have been seen for so long make sounds, s: who appears has no speed.
-const _SETTLED_S: float = 0.5
+## Time for which people must have been seen before they make sounds, s: at first their speed is
+## unknown.
+const _MIN_SEEN_S: float = 0.5
 
 var _voices: SoundVoices = null
 var _walkers: Dictionary[int, Walker] = {}
@@ -37,7 +40,7 @@ func advance(p_people: Dictionary[int, ActorView], p_own: int, p_delta: float) -
 			_walkers.erase(person)
 	for person: int in p_people:
 		var view: ActorView = p_people[person]
-		if not view.node.visible or view.hips().distance_to(ear) > AWAY_M:
+		if not view.node.visible or view.hips().distance_to(ear) > MAX_DISTANCE_M:
 			_walkers.erase(person)
 			continue
 		if not _walkers.has(person):
@@ -54,7 +57,7 @@ func _advance_one(
 	var hips: Vector3 = p_view.hips()
 	p_walker.contacts.advance(hips, feet, p_delta)
 	p_walker.seen_s += p_delta
-	if p_walker.seen_s < _SETTLED_S:
+	if p_walker.seen_s < _MIN_SEEN_S:
 		return
 	for foot: int in 2:
 		if p_walker.contacts.landed[foot] > 0.0:

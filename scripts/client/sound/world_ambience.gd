@@ -17,7 +17,7 @@ const _WIND_DB: float = -31.0
 const _RAIN_DB: float = -20.0
 const _SAND_DB: float = -18.0
 const _ROOM_DB: float = -40.0
-## What walls and roof leave of the weather outside, dB.
+## Attenuation of the weather by walls and roof, dB.
 const _INSIDE_DB: float = -16.0
 
 ## Level in the mix of each loop, dB, as it is now.

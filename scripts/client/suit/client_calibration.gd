@@ -19,7 +19,7 @@ const _MAX_ADVICE: int = 3
 
 var _source: SuitSource = null
 var _store: CalibrationStore = CalibrationStore.new()
-# Who hears of the outcome: func(accepted: bool, text: String), or none.
+# Receives the outcome: func(accepted: bool, text: String), or none.
 var _answer: Callable = Callable()
 var _outcome: String = ""
 var _until_s: float = 0.0
@@ -98,8 +98,8 @@ func text(p_now_s: float) -> String:
 	return _outcome if p_now_s < _until_s else ""
 
 
-## Nobody is asked, as the wearer has no hand free: a good result is accepted, with advice on what
-## could be better; otherwise the previous calibration stays.
+## The wearer has no hand free to answer: a good result is accepted, with advice on what could be
+## better; otherwise the previous calibration stays.
 func _on_calibrated(p_result: CalibrationResult) -> void:
 	var source: SuitSource = _source
 	_source = null

@@ -22,13 +22,13 @@ var people: ClientPeople = null
 var _listed_s: float = 0.0
 # The time of the last frame, s.
 var _now_s: float = 0.0
-# What is sent of a source where that is not the source itself: it is fitted to a headset.
+# The motion that is sent of a source where it is not the source's own: it is fitted to a headset.
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
-# Made when it is opened for the first time: most clients never do.
+# Made when it is opened for the first time: most clients never open it.
 var _panel: DevicePanel = null
 var _cues: GuideCues = null
 var _discovery: SourceDiscovery = SourceDiscovery.new()
-# Whose calibration is heard.
+# The calibration that is heard.
 var _guided: SuitSource = null
 # Above the rest of the screen.
 var _layer: CanvasLayer = CanvasLayer.new()

@@ -21,7 +21,7 @@ var usb: UsbSuitFeed = null
 var mvn: MvnStream = null
 ## The other network streams.
 var streams: MotionStreams = MotionStreams.new()
-## Who is one of the people, and who completes the first one, limb by limb.
+## Decides which sources are people, and which ones complete the first person, limb by limb.
 var people: PeopleFusion = PeopleFusion.new()
 ## Sends everybody's poses to other programs, or null.
 var vmc_out: VmcOut = null
@@ -29,7 +29,7 @@ var vmc_out: VmcOut = null
 var calibration: ClientCalibration = ClientCalibration.new()
 ## Makes a motion source where the options name none: [code]func() -> MotionSource[/code], if valid.
 var make_default: Callable = Callable()
-## A headset will move the user's body, once it is there: until then nothing does instead.
+## A headset will move the user's body once it is there: until then no other source does.
 var awaits_headset: bool = false
 ## Those who wear sensors.
 var wearers: Array[SuitSource] = []
@@ -160,7 +160,8 @@ func list_devices() -> Array[Dictionary]:
 	return rows
 
 
-## What is worn, for an instructor: the suit, whether it is calibrated and what is wrong with it.
+## State of the suit for an instructor: its kind, whether it is calibrated, and what is wrong with
+## it.
 func describe() -> String:
 	if wearers.is_empty():
 		return mvn.describe() if mvn != null else streams.describe()
@@ -211,7 +212,7 @@ func close() -> void:
 		_recorder.close()
 
 
-## What moves a person where nothing is named: a headset, or the default file.
+## The source where the options name none: a headset, or the default file.
 func _find_default() -> Array[SourceAddress]:
 	var found: Array[SourceAddress] = []
 	if make_default.is_valid():

@@ -1,7 +1,7 @@
 class_name WearerReports
 extends RefCounted
-## Tells the server about this client's suit, and what became of the calibrations that instructors
-## ask for: see [WearerMessage].
+## Reports this client's suit to the server, and the outcome of the calibrations that instructors
+## order: see [WearerMessage].
 
 ## Seconds between two reports about the suit.
 const PERIOD_S: float = 1.0

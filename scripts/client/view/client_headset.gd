@@ -31,16 +31,16 @@ const ACTIONS: Array[Dictionary] = [
 ]
 ## The action that opens the menu.
 const MENU: StringName = &"ui_cancel"
-## What gestures of a tracked hand do: gesture, and the action of a button.
+## Gestures of a tracked hand, and the button action that each stands for.
 const GESTURES: Dictionary[HandGestures.Gesture, StringName] = {
 	HandGestures.Gesture.PINCH: &"trigger_click",
 	HandGestures.Gesture.FIST: &"grip_click",
 	HandGestures.Gesture.THUMB_UP: &"menu_button",
 }
-## How strongly the edge of the view darkens, and by how much a push of the stick turns at first.
+## Strength of the vignette, and angle of a snap turn, at first.
 const VIGNETTE: float = 0.5
 const SNAP: float = deg_to_rad(30.0)
-## Eyes of somebody without a body are so high above the ground, m.
+## Height of the eyes of a user without a body above the ground, m.
 const _EYES_M: float = 1.65
 ## Where is kept how the headset sits on the head.
 const _MOUNT_FILE: String = "user://headset_mount.json"
@@ -95,7 +95,7 @@ func open(p_display: HmdDisplay, p_options: Options) -> String:
 	return _set_marker(p_options.text("marker"))
 
 
-## The display shows the world: puts menu and notices into the view.
+## The display shows the world: adds menu and notices to the view.
 func begin() -> void:
 	if not display.is_worn():
 		return

@@ -5,7 +5,7 @@ extends Node3D
 
 ## What the user should know of the level; empty: nothing.
 signal level_noted(p_text: String)
-## Something has happened that screens tell for a while.
+## A notice about what has happened, which screens show for a while.
 signal happening_told(p_text: String)
 ## The server's level is not on this machine.
 signal level_missing(p_why: String)

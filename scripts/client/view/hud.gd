@@ -1,7 +1,7 @@
 class_name Hud
 extends CanvasLayer
-## A line of stats, what the screen adds, a line of keys, in the middle what the user must know, and
-## the latencies.
+## Texts over the picture: a line of stats, a line of keys, notices in the middle, and the
+## latencies.
 
 @export var _status: Label
 @export var _screen: Label

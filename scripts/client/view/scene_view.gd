@@ -1,17 +1,18 @@
 class_name SceneView
 extends RefCounted
 ## One look at a [ClientScene]: a camera that follows one of the people, from around, from behind or
-## out of the eyes, or looks from a place of the level. The window has one; an instructor's station
+## out of the eyes, or looks from a camera of the level. The window has one; an instructor's station
 ## may have more, each in a viewport of its own: see [method ClientScene.add_view].
 
-## The camera is told of bodies that are nearer than this, m.
+## Distance within which bodies are reported to the camera, m.
 const _CAMERA_NEAR_M: float = 4.0
 
 ## The camera.
 var camera: OrbitCamera = null
 ## Whether the user looks out of the own eyes: in a headset, or on walls that follow the own head.
 var sees_by_own_eyes: bool = false
-## Whether the head from whose eyes the camera looks is hidden, for all views: only the window's is.
+## Whether the head from whose eyes the camera looks is hidden, for all views: only the window's
+## view hides it.
 var hides_head: bool = false
 ## Out of whose eyes the camera looks, or -1.
 var eyes: int = -1
@@ -90,7 +91,7 @@ func change_view() -> void:
 	camera.change_view()
 
 
-## Somebody is not shown any more. Call it before that one is gone.
+## A person is no longer shown. Call it before the person's node is freed.
 func forget(p_actor: int) -> void:
 	if p_actor == eyes:
 		eyes = -1

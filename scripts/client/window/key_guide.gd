@@ -2,7 +2,7 @@ class_name KeyGuide
 extends RefCounted
 ## The keys that do something in a client of a role, for the line at the bottom and for the list.
 
-## Keys that do something for every client: input action, and what it does.
+## Keys of every client: input action, and what it does.
 const _EVERYBODY: Dictionary[StringName, String] = {
 	&"next_person": "follow the next person",
 	&"toggle_names": "names over people",

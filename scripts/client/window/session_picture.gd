@@ -30,7 +30,7 @@ func _is_wanted() -> bool:
 	return context.options.file("screenshot") != ""
 
 
-## A picture that is kept has the time that a window has not. A tier that an option names stays.
+## A picture has time, unlike a window. A tier that an option names stays.
 func _draw_once_more() -> void:
 	if context.options.text("quality") != "" or ClientContext.is_headless():
 		return

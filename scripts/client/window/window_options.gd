@@ -1,6 +1,6 @@
 class_name WindowOptions
 extends RefCounted
-## What is done in a client's window without a user, and what is kept of it.
+## Options of what a client's window does without a user, and what is saved of it.
 
 
 ## Their rows.

@@ -1,22 +1,22 @@
 class_name DisplayForecast
 extends RefCounted
-## When the frame that is drawn will be seen in a headset, and how often one is, from the runtime's
-## predictions.
+## When the frame that is being drawn will be seen in a headset, and at which rate, from the
+## runtime's predictions.
 ##
 ## A frame's prediction is noted once, at its beginning, and holds for all of it: what is worked out
 ## twice in a frame is worked out for one moment. It never goes back.
 
-## Refreshes that a runtime wakes a program ahead of what it shows, where its clock is not ours.
+## Refreshes between the waking of a program and the picture, where the runtime's clock is not ours.
 const _LEAD_FRAMES: float = 2.0
-## Longest that a guess lies ahead, µs: the first steps may have been pauses.
+## Longest time that a guess lies ahead, µs: the first steps may have been pauses.
 const _LEAD_USEC: float = 100_000.0
-## A rate for runtimes that have told none yet, Hz.
+## Rate to assume until the runtime gives one, Hz.
 const _USUAL_HZ: float = 90.0
-## A clock that differs by less than this is the system's own, µs.
+## Difference below which the runtime's clock counts as the system's own, µs.
 const _SAME_CLOCK_USEC: int = 1_000_000
-## Frames of which the earliest is looked for.
+## Number of frames of which the earliest is used.
 const _WINDOW: int = 30
-## No headset shows more than 1000 pictures a second, ns.
+## Shortest possible refresh, ns: 1000 pictures a second.
 const _MIN_STEP_NS: int = 1_000_000
 
 ## When the frame will be seen, µs of [method Time.get_ticks_usec]; 0 where it is not known.

@@ -12,7 +12,8 @@ extends DisplayMode
 signal pressed(p_action: StringName, p_hand: int)
 ## A button was released.
 signal released(p_action: StringName, p_hand: int)
-## The wearer's place and heading have been set anew: who recentres stands upright and looks ahead.
+## The wearer's position and heading have been set anew: who recentres stands upright and looks
+## ahead.
 signal recentred
 ## The wearer has turned by a step: an angle about +Y through the head, rad, left is positive.
 signal turned(p_angle: float)
@@ -67,11 +68,12 @@ var _guard: RuntimeGuard = null
 var _window: KeptWindow = KeptWindow.new()
 var _way_back: HmdReturn = HmdReturn.new(HmdCommand.of_this_process())
 var _is_waiting: bool = false
-# Somebody has asked to go into it, and is told of a fault.
+# The user has asked to go into the headset and gets a notice of a fault.
 var _is_asked: bool = false
-# That it is back has been told.
+# The notice that the headset is back has been shown.
 var _is_told: bool = false
-# It is there but would not take us: only who asks tries again, until it was away.
+# The headset is there but refuses: only a request of the user tries again, until the headset was
+# away.
 var _is_refused: bool = false
 var _why_lost: String = ""
 # The frame in which a seated wearer is recentred; 0: none.
@@ -115,7 +117,7 @@ func open() -> String:
 	if why == "":
 		why = "No headset: %s." % _find_headset(has_tried)
 	_is_waiting = true
-	# Whoever opens it then knows that it is open.
+	# Deferred: the caller must know first that the display is open.
 	_await_return.call_deferred(why)
 	return ""
 
@@ -176,7 +178,7 @@ func view() -> HmdView:
 	return _view
 
 
-## The place and heading of the head become the room's.
+## The position and heading of the head become the room's.
 func recentre() -> void:
 	if _view == null:
 		return

@@ -16,7 +16,7 @@ const SIZE_PX: Vector2i = Vector2i(1200, 900)
 ## How far in front of the eyes it opens, and how far below them, m.
 const _AHEAD_M: float = 0.8
 const _BELOW_M: float = 0.1
-## A trigger further in than the first presses, and lets go below the second.
+## How far a trigger is in when it presses, and when it releases.
 const _PRESSED: float = 0.6
 const _RELEASED: float = 0.4
 

@@ -1,7 +1,7 @@
 class_name MarkerAlignment
 extends RefCounted
 ## Aligns the wearer's room with the world by a marker on the real wall: where the runtime sees the
-## marker, and where the level has it, give the room's heading and place.
+## marker, and where the level has it, give the room's heading and position.
 ##
 ## Only heading and position are taken: what is up both know better than a camera that looks at a
 ## sheet of paper.

@@ -2,12 +2,12 @@ class_name PlatformFrame
 extends RefCounted
 ## Takes the motion of a platform out of a headset's pose, so that the cabin on it stands still.
 ##
-## A headset is tracked in the room; its wearer sits on a platform that moves by what is felt in the
-## vehicle. Seen from the platform only the head's own motion remains:
-## [code]inverse(platform) * headset[/code]. The platform's pose is the one that was commanded to it
-## (the cue, see docs/motion-platform.md) or that a tracker on it shows, at the moment for which the
-## headset's was predicted, less the platform's delay. Frame: the tracking space, turned so that the
-## platform's neutral pose is [member neutral]; metres.
+## A headset is tracked in the room; its wearer sits on a platform that moves with the vehicle. Seen
+## from the platform only the head's own motion remains: [code]inverse(platform) * headset[/code].
+## The platform's pose is the one that was commanded to it (the cue, see docs/motion-platform.md) or
+## that a tracker on it shows, at the moment for which the headset's was predicted, less the
+## platform's delay. Frame: the tracking space, turned so that the platform's neutral pose is
+## [member neutral]; metres.
 
 ## Poses that are kept: 2 s at 250 Hz.
 const KEPT: int = 512

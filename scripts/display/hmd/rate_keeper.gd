@@ -24,34 +24,35 @@ const STEPS: Array[Dictionary] = [
 	{"scale": 0.65, "msaa": Viewport.MSAA_DISABLED, "shadows": false, "detail": 2},
 	{"scale": 0.5, "msaa": Viewport.MSAA_DISABLED, "shadows": false, "detail": 3},
 ]
-## A frame is missed where it takes longer than this share of the period more.
+## A frame is missed if it takes longer than the period by this share of it.
 const _SLACK: float = 0.5
-## A frame that takes longer was a pause, s.
+## Length from which on a frame counts as a pause, s.
 const _PAUSE_S: float = 1.0
-## Looked at together, s.
+## Length of a window of frames that are judged together, s.
 const _WINDOW_S: float = 1.0
-## A window is longer where it has fewer frames.
+## Least number of frames of a window: with fewer it is longer.
 const _WINDOW_FRAMES: int = 4
-## More late frames than this share of a window, and so many: a step down.
+## Share of late frames, and least number of them, that cause a step down.
 const _LATE: float = 0.05
 const _LATE_LEAST: int = 3
-## Late frames of a window that is quiet nevertheless.
+## Late frames that a quiet window may have.
 const _QUIET_LATE: int = 1
 ## Quiet time before a step up, s: at first, and at most.
 const _QUIET_S: float = 20.0
 const _QUIET_LONGEST_S: float = 320.0
 ## The same where the card has room: a share of it.
 const _QUIET_WITH_ROOM: float = 0.25
-## The card has room where a better picture would take it less than this share of the period.
+## Share of the period below which a better picture must stay, by estimate, for the card to have
+## room.
 const _ROOM: float = 0.75
 ## What the card draws longer with samples for smooth edges and with shadows, by estimate.
 const _COST_MSAA: Dictionary[Viewport.MSAA, float] = {
 	Viewport.MSAA_DISABLED: 1.0, Viewport.MSAA_2X: 1.15, Viewport.MSAA_4X: 1.3
 }
 const _COST_SHADOWS: float = 1.25
-## A step down this soon after a step up was a regret, s.
+## Time within which a step down after a step up counts as a regret, s.
 const _REGRET_S: float = 10.0
-## After a step the first frames are slow whatever they show, s.
+## Time after a step in which frames do not count, s: the first are slow.
 const _SETTLE_S: float = 0.5
 
 ## Which of [constant STEPS] is drawn.

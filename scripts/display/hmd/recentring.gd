@@ -24,9 +24,9 @@ func clear() -> void:
 	_offset = Transform3D.IDENTITY
 
 
-## The head's place and heading become the room's own origin and -Z. Takes the head in the tracking
-## space. Standing, the height stays what the runtime measures from its floor; seated, the eyes
-## come to the height of a standing person's.
+## The head's position and heading become the room's own origin and -Z. Takes the head in the
+## tracking space. Standing, the height stays what the runtime measures from its floor; seated, the
+## eyes come to the height of a standing person's.
 func recentre(p_head: Transform3D) -> void:
 	if not _is_sound(p_head):
 		return

@@ -3,12 +3,12 @@ extends RefCounted
 ## Watches that a headset's runtime does not keep the program waiting: a stalled one keeps it in a
 ## call for ever, and then the program starts again as a plain window.
 
-## The runtime has not answered for this long: it has stalled, s.
+## Time without an answer of the runtime after which it counts as stalled, s.
 const PATIENCE_S: float = 5.0
 ## The same while pipelines are still compiled, s: for the first frames, and after a long one.
 const _COLD_PATIENCE_S: float = 40.0
 const _WARM_FRAMES: int = 30
-## Work of scripts that takes longer than this was the loading of something, µs.
+## Duration from which on the work of scripts counts as loading, µs.
 const _LONG_USEC: int = 1_000_000
 
 var _guard: StallGuard = null
@@ -20,8 +20,8 @@ var _warm_frames: int = 0
 func begin() -> void:
 	_guard = StallGuard.new()
 	_warm_frames = 0
-	# The guard's thread touches nothing of the engine: what the next process should know is laid
-	# out now.
+	# The guard's thread must not touch the engine: the arguments of the next process are prepared
+	# now.
 	OS.set_environment(HmdCommand.LOST, "The headset's runtime stalled: the window goes on.")
 	_set_patience(_COLD_PATIENCE_S)
 

@@ -2,8 +2,8 @@ class_name RuntimeWatch
 extends RefCounted
 ## Notices that the headset's runtime has ended.
 ##
-## The engine does not say so: its session stays as it was, poses freeze and claim to be certain.
-## What gives it away is a predicted display time that stands still while no refresh rate is known.
+## The engine does not report it: its session stays as it was, poses freeze and are still called
+## certain. The sign is a predicted display time that stands still while no refresh rate is known.
 
 ## The time stands still for at least this many frames and this long.
 const FRAMES: int = 10

@@ -4,7 +4,7 @@ extends RefCounted
 ##
 ## Steps are seen as cuts, which make nobody sick, where a smooth turn of the view does.
 
-## A push begins beyond the first and ends below the second; shares of the stick's way.
+## Deflection at which a push begins, and below which it ends, as shares of the stick's travel.
 const _PUSHED: float = 0.7
 const _BACK: float = 0.4
 

@@ -10,7 +10,7 @@ extends RefCounted
 
 ## Marks that are kept at most; beyond it the oldest are given up.
 const MAX_KEPT: int = 256
-## What was sampled so long before or after a mark does not follow from it, s.
+## Distance from a mark beyond which the time of sampling is not derived from it, s.
 const MAX_GAP_S: float = 2.5
 
 ## How quickly [member recent_ms] follows.

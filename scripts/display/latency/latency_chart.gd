@@ -5,7 +5,7 @@ extends RefCounted
 ## The thesis's mean and standard deviation, ms (section 7.4.3).
 const THESIS_MS: float = 50.7
 const THESIS_SD_MS: float = 13.7
-## Colours of the stages, told apart by the colour-blind as well (Okabe and Ito 2008).
+## Colours of the stages, which colour-blind people can distinguish (Okabe and Ito 2008).
 const COLOURS: Array[Color] = [
 	Color("56b4e9"),
 	Color("0072b2"),

@@ -1,6 +1,6 @@
 class_name LatencyMark
 extends RefCounted
-## When a sample came by each stage on its way from the wearer's suit to a screen (thesis 7.4).
+## The times at which a sample passed each stage from the wearer's suit to a screen (thesis 7.4).
 ##
 ## All times are µs of one clock, the server's: who has another clock converts first. A time that
 ## nobody knows is [constant UNKNOWN]; the stages on both sides of it are then not counted.
@@ -48,7 +48,7 @@ var arrival_usec: int = UNKNOWN
 var displayed_usec: int = UNKNOWN
 
 
-## All times in the order of the way.
+## All times, in the order of the stages.
 func times() -> PackedInt64Array:
 	return PackedInt64Array(
 		[

@@ -47,7 +47,7 @@ func fill(p_frame: Rect2i) -> void:
 	draw_triangles(points, places, PackedInt32Array([0, 1, 2, 0, 2, 3]), PackedColorArray())
 
 
-## Fills triangles: corners in pixels of the window, places in the picture (0..1, from its upper
+## Fills triangles: corners in pixels of the window, points in the picture (0..1, from its upper
 ## left), three indices each, and a factor of the values for each corner, if there are any.
 func draw_triangles(
 	p_points: PackedVector2Array,

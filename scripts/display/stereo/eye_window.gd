@@ -31,7 +31,7 @@ static func panel_origin(p_window: Window) -> Vector2i:
 	return p_window.position - DisplayServer.screen_get_position(p_window.current_screen)
 
 
-## Opens it as large as another window: at the same place of the next screen, or to its right.
+## Opens it as large as another window: at the same position on the next screen, or to its right.
 func open_beside(p_first: Window) -> void:
 	_first = p_first
 	title = p_first.title + " - right eye"

@@ -35,7 +35,7 @@ func give_back() -> void:
 	for found: Node in _window.find_children("*", "CanvasLayer", true, false):
 		var layer: CanvasLayer = found
 		if layer.custom_viewport == self:
-			# There is no way back to none; the window is what none means.
+			# Godot cannot set a custom viewport back to null; the window is the default.
 			layer.custom_viewport = _window
 	_window = null
 

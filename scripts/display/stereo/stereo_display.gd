@@ -17,7 +17,7 @@ const _LAYER: int = -128
 
 ## Distance between the eyes, m.
 var eye_distance: float = 0.065
-## Distance of the plane of the screen, m: what is there is at the same place for both eyes.
+## Distance of the plane of the screen, m: what is there is at the same position for both eyes.
 var convergence: float = 3.0
 ## Whether the left eye's picture is where the right one's should be: for displays and glasses that
 ## are the other way round.
@@ -38,7 +38,7 @@ var _is_passing_on: bool = false
 var _kept: Dictionary[StringName, Variant] = {}
 
 
-## Takes a way of [constant StereoMode.NAMES]. Returns what is wrong, or an empty text.
+## Takes a mode of [constant StereoMode.NAMES]. Returns what is wrong, or an empty text.
 func set_up(p_mode: String, p_eye_distance_m: float, p_convergence_m: float) -> String:
 	var kind: int = StereoMode.find(p_mode)
 	if kind <= StereoMode.Kind.MONO:
@@ -221,7 +221,7 @@ func _connect_pictures() -> void:
 		_second.show_eye(right, _hud.get_texture())
 
 
-## Follows the window's size and its place on the panel.
+## Follows the window's size and its position on the panel.
 func _fit() -> void:
 	var size: Vector2i = _window.size
 	var frames: Array[Rect2i] = StereoMode.frames(_kind, size)

@@ -2,7 +2,7 @@ class_name StereoMode
 extends RefCounted
 ## How a stereo display wants both eyes' pictures: where each is, and how they are mixed.
 
-## The ways, in the order of [constant NAMES].
+## The modes, in the order of [constant NAMES].
 enum Kind {
 	## One picture for both eyes.
 	MONO,
@@ -34,7 +34,7 @@ enum Kind {
 const NAMES: Array[String] = DisplayNames.EYES
 
 
-## The way of a name, or -1.
+## The mode of a name, or -1.
 static func find(p_name: String) -> int:
 	return NAMES.find(p_name)
 

@@ -297,7 +297,7 @@ func _finish_screen() -> void:
 	_screen = null
 
 
-## So many finite numbers with spaces or commas between; empty if it is anything else.
+## A number of finite numbers with spaces or commas between; empty if it is anything else.
 static func _numbers(p_text: String, p_count: int, p_max: float) -> PackedFloat64Array:
 	var words: PackedStringArray = p_text.replace(",", " ").split(" ", false)
 	var found: PackedFloat64Array = []

@@ -17,7 +17,7 @@ static func of_this_machine() -> Monitors:
 	return found
 
 
-## The place of one by its number or its name; empty where there is none.
+## Rectangle of a monitor by its number or name; empty where there is none.
 func find(p_which: String) -> Rect2i:
 	if p_which.is_valid_int():
 		var number: int = p_which.to_int()

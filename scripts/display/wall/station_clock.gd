@@ -6,9 +6,9 @@ extends RefCounted
 ## [QuickestArrivals] tell how the clocks differ, so what the network delays now and then moves
 ## nothing. From the newest message on, ticks go on with their rate.
 
-## So long the other one's ticks go on without a message, µs; then they stand.
+## Time without a message for which the other one's ticks are extrapolated, µs; then they stand.
 const CARRY_USEC: int = 250_000
-## After so long without a message nothing is known any more, µs.
+## Time without a message after which nothing is known any more, µs.
 const FORGET_USEC: int = 3_000_000
 
 ## The newest message; null: none.

@@ -3,11 +3,11 @@ extends RefCounted
 ## Keeps the displays of a station in step: all show the same moment of the world, from the same
 ## place of it.
 ##
-## The first client listens at an address; each other one tells it each frame what it would show by
-## itself, and is told what all show: datagrams of [StationMessage] from and to that address only,
-## which also pass where multicast does not. What has another form, another layout or another sender
-## is not heard. Only what is shown is agreed on: the moment at which a panel's refresh begins is
-## not, because the engine has no genlock.
+## The first client listens at an address; each other client sends it every frame what it would show
+## by itself, and receives what all show: datagrams of [StationMessage] from and to that address
+## only, which also pass where multicast does not. What has another form, another layout or another
+## sender is not heard. Only what is shown is agreed on: the moment at which a panel's refresh
+## begins is not, because the engine has no genlock.
 
 ## Most datagrams that wait for a frame.
 const _MAX_WAITING: int = 256
@@ -31,7 +31,7 @@ var _mutex: Mutex = Mutex.new()
 var _is_open: bool = false
 ## What was heard since the last frame: bytes, address, port, time of arrival (µs) in turn.
 var _heard: Array = []
-# What is agreed on for this frame, until it has been told; null: nothing.
+# What is agreed on for this frame, until it has been sent; null: nothing.
 var _message: StationMessage = null
 
 
@@ -81,7 +81,7 @@ func leader_place() -> StationMessage:
 	return _agreement.track.at(_shown)
 
 
-## Hears the others; see [method WallDisplay.agree]. They are told by [method tell].
+## Hears the others; see [method WallDisplay.agree]. [method tell] answers them.
 func agree(p_tick: float, p_at_usec: int, p_rate: float) -> float:
 	_read()
 	_shown = _agreement.agree(p_tick, p_at_usec, p_rate, Time.get_ticks_usec())

@@ -10,11 +10,12 @@ extends RefCounted
 
 ## Messages that are kept.
 const _KEPT: int = 16
-## So long the station goes on as it moved, s: two frames of a slow client and 20 ms of jitter.
+## Time for which the station's motion is extrapolated, s: two frames of a slow client and 20 ms of
+## jitter.
 const _ONWARD_S: float = 0.1
-## Over so long its motion is measured at least, s, where that long is known.
+## Least time over which its motion is measured, s, where that much is known.
 const _MEASURED_S: float = 0.012
-## What is faster is a cut, m/s and rad/s.
+## Speed that counts as a cut, m/s and rad/s.
 const _FASTEST_MPS: float = 300.0
 const _FASTEST_RADPS: float = 20.0
 
@@ -62,7 +63,7 @@ func at(p_tick: float) -> StationMessage:
 	return last
 
 
-## The way from one to the other at a tick between them, or after both.
+## The movement from one to the other at a tick between them, or after both.
 static func _between(p_from: StationMessage, p_to: StationMessage, p_tick: float) -> StationMessage:
 	var part: float = (p_tick - p_from.tick) / (p_to.tick - p_from.tick)
 	var found: StationMessage = StationMessage.new()

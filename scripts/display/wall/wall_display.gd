@@ -4,9 +4,9 @@ extends DisplayMode
 ## curved screen, the walls of a CAVE. Each screen is a window through which the world is seen from
 ## the viewer's eyes, fixed or tracked.
 ##
-## The station stands where the client's camera is: what the layout calls the eye's first place is
-## the camera's, and straight ahead is the camera's heading; the horizon stays level, but for a
-## cabin ([member WallLayout.tilts]). One process shows all screens, or each has a client of its own
+## The station stands where the client's camera is: the eye's first position of the layout is the
+## camera's, and straight ahead is the camera's heading; the horizon stays level, but for a cabin
+## ([member WallLayout.tilts]). One process shows all screens, or each has a client of its own
 ## ([member WallLayout.is_split]), kept in step by [StationSync]. The first window keeps texts and
 ## menus. The engine has no genlock: displays of several machines show the same moment, but not in
 ## the same refresh of their panels. While walls are shown, suns have their simple shadows
@@ -102,8 +102,9 @@ func close() -> void:
 	_window = null
 
 
-## Puts the eyes to a place of the station, m, the right one along an axis. Where one is no number
-## or behind a screen, the last good one stays, and the user is told once.
+## Moves the eyes to a position in the station, m, the right one along an axis. Where a number is
+## not finite or the position is behind a screen, the last good one stays, and the user gets one
+## notice.
 func set_eye(p_eye: Vector3, p_right: Vector3 = Vector3.RIGHT) -> void:
 	var fault: String = layout.find_eye_fault(p_eye)
 	if fault == "" and (not p_right.is_finite() or p_right.length() < 0.1):
@@ -132,7 +133,7 @@ func station() -> Transform3D:
 	return mount_at(from, layout.eye, layout.tilts)
 
 
-## Where a station is in the world that has its eyes' first place at a camera.
+## Transform in the world of a station whose first eye position is at a camera.
 static func mount_at(p_camera: Transform3D, p_eye: Vector3, p_tilts: bool) -> Transform3D:
 	var turn: Basis = p_camera.basis.orthonormalized()
 	if not p_tilts:

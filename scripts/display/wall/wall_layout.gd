@@ -11,13 +11,13 @@ extends RefCounted
 const FIXED: String = "fixed"
 ## They are those of the own person.
 const HEAD: String = "head"
-## Nearer than this an eye is as good as on a wall, m.
+## Distance from a wall below which an eye counts as on it, m.
 const MIN_DISTANCE_M: float = 0.05
 ## Most screens of a station.
 const MAX_SCREENS: int = 16
 ## Most bytes of a layout file.
 const MAX_BYTES: int = 1 << 20
-## Corners may be off a rectangle by so much of its size.
+## Tolerance of a rectangle's corners, as a share of its size.
 const _OFF: float = 1e-3
 const _OFF_M: float = 0.005
 const _SMALL_M: float = 0.01
@@ -26,7 +26,7 @@ const _SMALL_M: float = 0.01
 var faults: PackedStringArray = []
 ## In the order of the file, or those of this client in the order in which they were asked for.
 var screens: Array[WallScreen] = []
-## Where the eyes are, or are until they are tracked, m.
+## Position of the eyes, m; where they are tracked, only until then.
 var eye: Vector3 = Vector3(0.0, 1.7, 0.0)
 ## [constant FIXED], [constant HEAD] (of the own person), or the name of a tracker of XRServer.
 var track: String = FIXED

@@ -5,7 +5,7 @@ extends Node
 
 ## Below everything that lies over the world.
 const _LAYER: int = -128
-## An eye is not nearer to its screen, m.
+## Least distance of an eye from its screen, m.
 const _NEAREST_M: float = 0.01
 
 ## The screen that it shows; null before [method open].
@@ -53,8 +53,8 @@ func open(p_screen: WallScreen, p_window: Window) -> void:
 	_connect_pictures()
 
 
-## Shows the world of a camera from an eye of the station, which is in the world at a place; the
-## eyes are so far apart, m, along an axis of the station.
+## Shows the world of a camera from an eye of the station, which has a transform in the world. The
+## eyes are a distance apart, m, along an axis of the station.
 func follow(
 	p_viewer: Camera3D, p_station: Transform3D, p_eye: Vector3, p_right: Vector3, p_apart_m: float
 ) -> void:
@@ -114,7 +114,7 @@ func _connect_pictures() -> void:
 		_pictures[part].show_eyes(only, right, StereoMode.mix(screen.mode))
 
 
-## Follows the window's size and its place on the panel.
+## Follows the window's size and its position on the panel.
 func _fit() -> void:
 	var size: Vector2i = window.size
 	_canvas.scale = window.get_visible_rect().size / Vector2(size)

@@ -98,7 +98,7 @@ const FINGERS: PackedInt32Array = [
 const HEADER: int = 64
 const BEGIN: int = 0xDDFF
 const END: int = 0xEEFF
-## Values of one frame: with displacement, or the hips' place and rotations only.
+## Values of one frame: with displacement, or the hips' position and rotations only.
 const VALUES: int = BONES * 6
 const FEW_VALUES: int = 3 + BONES * 3
 ## A reference comes first where the sender says so.

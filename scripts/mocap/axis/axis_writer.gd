@@ -2,7 +2,7 @@ class_name AxisWriter
 extends StreamWriter
 ## Writes somebody's poses as Axis Studio does: see [AxisReader].
 
-## Whether frames are lines of text, and whether all bones have places.
+## Whether frames are lines of text, and whether all bones have positions.
 var is_text: bool = false
 var has_places: bool = true
 ## Whether a reference comes first.

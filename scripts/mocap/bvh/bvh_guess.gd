@@ -48,7 +48,7 @@ const _BEFORE: Dictionary[BvhOptions.UpAxis, float] = {
 	BvhOptions.UpAxis.Z_DOWN: -0.05,
 	BvhOptions.UpAxis.X_DOWN: -0.05,
 }
-## An axis that wins by less may be wrong, and so may one along which the body is less upright.
+## Lead by which an axis must win to be certain, and least uprightness of the body along it.
 const _SURE: float = 0.3
 const _SURE_UPRIGHT: float = 0.6
 

@@ -10,7 +10,7 @@ extends RefCounted
 ## Smallest and largest believable frame time, s.
 const MIN_FRAME_TIME: float = 1e-6
 const MAX_FRAME_TIME: float = 3600.0
-## Fewest declared frames of a clip in which one row too many is forgiven: below 1 % of it.
+## Least number of declared frames at which one row too many is tolerated: it is below 1 % of them.
 const MIN_SURPLUS_FRAMES: int = 100
 ## Maximum of frames.
 const MAX_FRAMES: int = 100_000_000

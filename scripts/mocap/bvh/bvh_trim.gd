@@ -11,20 +11,19 @@ extends RefCounted
 
 ## Longest time that is looked at, s.
 const MAX_S: float = 10.0
-## What is left of a clip at least, s.
+## Least length that is left of a clip, s.
 const MIN_REST_S: float = 0.5
 ## How far the hips of somebody still may be from where they were, m, and a limb's turn, rad.
 const _STILL_M: float = 0.02
 const _STILL_RAD: float = 0.07
-## Speed of hips, m/s, and their way in a frame, m, that make a jump.
+## Speed of hips, m/s, and their distance in a frame, m, that make a jump.
 const _JUMP_M_S: float = 4.0
 const _JUMP_M: float = 0.08
 ## Turn of a limb in a frame that makes a jump, rad, if it is this many times that of the frame
 ## after.
 const _JUMP_RAD: float = 0.436
 const _JUMP_BY_NEXT: float = 3.0
-## A transition of several frames lasts while a step is this part of its first, at most this long,
-## s.
+## Least step of a transition of several frames, as a share of its first, and longest transition, s.
 const _TRANSITION: float = 0.5
 const _MAX_TRANSITION_S: float = 0.5
 
@@ -54,7 +53,7 @@ static func _count(p_rig: BvhRig, p_backwards: bool) -> int:
 	for frame: int in range(1, maxi(last, 1) + 1):
 		var step: float = trim._way(frame - 1, frame)
 		var is_jump: bool = step > _JUMP_M and step > _JUMP_M_S * frame_time
-		# Of a single frame nobody knows whether it is still: somebody may be running already.
+		# A single frame may be still or not: the person may be running already.
 		if is_jump and (frame > 1 or step > _JUMP_BY_NEXT * trim._way(1, 2)):
 			return trim._after_transition(frame, step)
 		if trim._turns_at_once(frame):
@@ -72,7 +71,7 @@ func _after_transition(p_frame: int, p_step: float) -> int:
 	)
 	while frame < end and _way(frame, frame + 1) > _TRANSITION * p_step:
 		frame += 1
-	# Somebody who goes on as fast as that was not put there.
+	# A person who goes on as fast as that has not jumped.
 	return frame if frame < end or end <= p_frame else p_frame
 
 

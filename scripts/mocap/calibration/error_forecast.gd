@@ -3,7 +3,7 @@ extends RefCounted
 ## How far limbs will probably be off with a calibration, in degrees, from how much its heading and
 ## its mounting are off.
 
-## So many numbers that poses usually are off by weigh as much as what one limb shows of itself.
+## Weight of the usual error of poses, as a number of observations of one limb.
 const USUAL: float = 6.0
 ## How far mounts are tilted from the N-pose while people walk, jump and box, degrees, in each third
 ## of the time, by mount of [BodyMounts]: medians over recorded clips (assets/motion, whole; left as

@@ -8,21 +8,20 @@ extends RefCounted
 ## so that all of them together fit best ([BestAssignment]). How large each movement was made is
 ## found on the way, from those that did it.
 
-## Usual deviation of people from a movement: degrees, and share of the movement. The first share is
-## for as long as nobody knows how large the movement was made.
+## Usual deviation of people from a movement: degrees, and share of the movement. The first share
+## holds until it is known how large the movement was made.
 const SPREAD_DEG: float = 4.0
 const SPREAD_PART: float = 0.14
 const FIRST_PART: float = 0.3
-## Nobody stands quite still, degrees.
+## Usual unrest of a person who stands still, degrees.
 const STILL_DEG: float = 3.0
-## Maximum that one movement counts: somebody may get one wrong.
+## Greatest cost of one movement: a wearer may get one wrong.
 const WORST: float = 8.0
-## A sensor that does what no mount does is not worn: it fits as one that lies still, with this
-## against it.
+## Cost of not being worn: a sensor that moves like no mount counts as one that lies still.
 const UNWORN: float = 9.0
-## By so much an assignment must fit better than the present one.
+## Least improvement over the present assignment.
 const BETTER: float = 0.5
-## A sensor that is less sure is named, as a probability.
+## Certainty below which a sensor is named, as a probability.
 const SURE: float = 0.9
 ## Smallest and largest part of a movement that people make of it.
 const MIN_EFFORT: float = 0.5

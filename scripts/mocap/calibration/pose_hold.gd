@@ -2,7 +2,7 @@ class_name PoseHold
 extends RefCounted
 ## The sensors' orientations while somebody held a pose: the mean of each, and how still it was.
 
-## Movement within such a part of the hold is taken for noise: parts in all.
+## Number of parts of the hold; movement within one counts as noise.
 const PARTS: int = 12
 ## Parts of the hold whose means make the mean.
 const CHUNKS: int = 48

@@ -104,8 +104,8 @@ func deviation(p_turn: Turn) -> Vector2:
 	return Vector2(wrapf(angle, -PI, PI), atan2(axis.y, level))
 
 
-## A first estimate of the heading, from the movements and from the arms' way from T to N, rad; NAN
-## if there were none.
+## A first estimate of the heading, from the movements and from the arms' movement from T to N, rad;
+## NAN if there were none.
 func estimate_heading() -> float:
 	var sum: Vector2 = Vector2.ZERO
 	for turn: Turn in turns:

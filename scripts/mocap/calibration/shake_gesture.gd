@@ -6,16 +6,17 @@ extends RefCounted
 ## Only orientations are used, and which sensor is where does not matter: it works before anything
 ## is calibrated.
 
-## How often the turn has to change its direction, within how long, s.
+## Number of changes of direction, and the time in which they must happen, s.
 const TURNS: int = 6
 const WITHIN_S: float = 2.5
-## A sensor that is shaken turns at least so fast in each direction, rad/s.
+## Least rate of turn of a shaken sensor in each direction, rad/s.
 const FAST: float = 3.0
-## One that stands still turns no faster, rad/s, for so long, s; at least this part of all do.
+## Greatest rate of a sensor that stands still, rad/s, for how long, s, and least share of such
+## sensors.
 const STILL: float = 1.0
 const STILL_S: float = 1.2
 const STILL_PART: float = 0.6
-## Rates are measured over at least so long, s.
+## Least time over which rates are measured, s.
 const _STEP_S: float = 0.03
 
 var _last: SensorFrame = null

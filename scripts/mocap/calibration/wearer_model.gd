@@ -8,12 +8,12 @@ extends RefCounted
 ## the pose before was held. A usual variance counts as much as so many observed ones (the inverse
 ## gamma prior of a normal variance; Gelman et al., Bayesian Data Analysis, section 2.6).
 
-## How exactly people usually hold poses: arms and heads, and the rest, degrees about each axis.
+## Usual error of holding a pose: of arms and heads, and of the rest, degrees about each axis.
 const USUAL_ARMS_DEG: float = 2.0
 const USUAL_REST_DEG: float = 1.7
-## How far movements are usually askew, degrees in each direction.
+## Usual error of a movement's axis, degrees in each direction.
 const USUAL_ASKEW_DEG: float = 2.0
-## So many numbers of what is observed weigh as much as what is usual: of poses, and of axes.
+## Weight of what is usual, as a number of observations: of poses, and of axes.
 const USUAL_POSES: float = 4.0
 const USUAL_AXES: float = 2.0
 ## A movement that turns a limb by this shows its axis with twice the variance of a large one, rad.
@@ -24,7 +24,7 @@ const SCATTER_PART: float = 0.25
 const FLOOR: float = 7.6e-7
 ## Movement during a hold, by so much of its largest part the mean is off.
 const MOVEMENT_PART: float = 0.25
-## Nobody is off by more: such a limb has stepped, or its sensor has slipped, rad.
+## Greatest error, rad: beyond it a limb has stepped, or its sensor has slipped.
 const MAX_RAD: float = 0.5
 
 ## Whether movements go about axes of the limbs (1) or of the body (0); see [SensorFit].
@@ -167,8 +167,8 @@ func _learn_poses(p_fits: Array[SensorFit], p_arms: bool) -> float:
 	return maxf(_drawn(USUAL_ARMS_DEG if p_arms else USUAL_REST_DEG, USUAL_POSES, sum, number), 0.0)
 
 
-## What is off differently each time that a pose is taken, from poses that were held again; 0 if
-## none was, as it cannot be told apart then.
+## The error that differs each time that a pose is taken, from poses that were held again; 0 if none
+## was, as the two cannot be separated then.
 func _learn_again(p_fits: Array[SensorFit], p_arms: bool) -> float:
 	var sum: float = 0.0
 	var number: int = 0

@@ -1,7 +1,7 @@
 class_name CalibrationMotion
 extends MotionSource
-## Somebody who does what [CalibrationGuide] says, perfectly or not: for tests, and for suits that
-## are made up.
+## A simulated wearer who follows [CalibrationGuide], perfectly or not: for tests, and for suits
+## that itself do. By default movements are about the axes of a wearer who does all as asked.
 
 const _SWAY_HZ: float = 0.7
 

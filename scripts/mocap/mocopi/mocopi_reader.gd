@@ -57,7 +57,7 @@ const JOINTS: PackedInt32Array = [
 	XRBodyTracker.JOINT_RIGHT_FOOT,
 	XRBodyTracker.JOINT_RIGHT_TOES,
 ]
-## Bytes of a rotation and a place.
+## Bytes of a rotation and a position.
 const _TRAN_BYTES: int = 28
 ## Boxes in one datagram that are looked at.
 const _MAX_BOXES: int = 512

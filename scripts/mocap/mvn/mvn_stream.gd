@@ -11,7 +11,7 @@ signal trackers_appeared(p_feed: MvnTrackerFeed, p_name: String)
 ## Those trackers have stopped.
 signal trackers_vanished(p_feed: MvnTrackerFeed)
 
-## Somebody whose name has not come after so long has none, s.
+## Wait for somebody's name, s; after it the person has none.
 const NAME_PATIENCE_S: float = 1.0
 ## Period of checking who is there, s.
 const LOOK_S: float = 0.1

@@ -59,7 +59,7 @@ const ASK_USEC: int = 1000000
 const _MAX_SKELETONS: int = 8
 const _MAX_BONES: int = 128
 const _MAX_SERVERS: int = 8
-## A server that was silent for so long is forgotten, µs.
+## Silence after which a server is forgotten, µs.
 const _GONE_USEC: int = 10000000
 ## A bone's place on the one above it differs from its description by less, m.
 const _SAME_M: float = 0.02

@@ -177,8 +177,8 @@ func _input(p_event: InputEvent) -> void:
 	get_viewport().set_input_as_handled()
 
 
-## Nobody is at the keys: a result that is good enough is accepted by itself, after it could be
-## read. Returns what becomes of it, for people.
+## Nobody is at the keys: a result that is good enough is accepted by itself, after the wearer had
+## time to read it. Returns what will happen, for people.
 func _decide_alone() -> String:
 	var result: CalibrationResult = suit().process.result
 	if suit().process.phase != CalibrationProcess.Phase.DONE or result == null:

@@ -8,7 +8,7 @@ const DEPTH: int = 64
 
 var _suit: SuitSource = null
 var _before: Array[SensorMap] = []
-# What else belongs to the wearer: another person or calibration, and the changes are history.
+# The rest of the wearer's data: with another person or calibration the changes become history.
 var _name: String = ""
 var _calibration: Calibration = null
 

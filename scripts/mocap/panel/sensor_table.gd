@@ -15,7 +15,7 @@ const BAD: Color = UiStyle.BAD
 const GOOD: Color = UiStyle.GOOD
 
 const _WIDTHS: PackedInt32Array = [122, 84, 104, 100, 78, 78, 76, 62]
-## A silence that is told, s.
+## Silence from which on it is shown, s.
 const _OLD_S: float = 0.3
 const _LOSSY: float = 0.02
 const _LOW: float = 0.15

@@ -1,7 +1,7 @@
 class_name RokokoReader
 extends StreamReader
 ## Reads Rokoko Studio's custom streaming, JSON version 3: plain, or compressed as an LZ4 frame.
-## Bones have places (metres) and rotations in the world, in Unity's left-handed frame; how each
+## Bones have positions (metres) and rotations in the world, in Unity's left-handed frame; how each
 ## lies in the T-pose is as Rokoko's own plugin for Blender has it.
 
 ## Rotations of the bones in Studio's T-pose (w, x, y, z).

@@ -48,9 +48,9 @@ const MOUNTS: Array[StringName] = [
 ]
 ## A tracker's sensors.
 const MAX_SENSORS: int = 16
-## Of a device that was silent for so long packets may be numbered anew, µs.
+## Silence after which a device may number its packets anew, µs.
 const RESTART_USEC: int = 3000000
-## Packets that are so far behind the newest are not late: it counts anew.
+## Distance behind the newest packet beyond which a packet is not late: the device counts anew.
 const RESTART_PACKETS: int = 1000
 ## From this version of the protocol on accelerations are in the axes of the rotation (SlimeVR's
 ## pull request 480).

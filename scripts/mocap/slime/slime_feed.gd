@@ -19,11 +19,11 @@ const FRAME_USEC: int = 10000
 const BACK_USEC: int = 15000
 ## Frames that are made at once at most.
 const _MAX_FRAMES: int = 32
-## A tracker that has said nothing but who it is may be forgotten after so long, µs.
+## Silence after which a tracker that has sent only its name may be forgotten, µs.
 const _IDLE_USEC: int = 5000000
-## One that measured makes room for others where there is none, after so long, µs.
+## Silence after which a tracker that measured makes room for others, if there is none, µs.
 const _LOST_USEC: int = 60000000
-## What was wrong is told for so long, µs.
+## Time for which a fault is shown, µs.
 const _TOLD_USEC: int = 10000000
 ## Sensors in the list at most, those of trackers that are gone too.
 const _MAX_SENSORS: int = 256

@@ -56,9 +56,9 @@ const JOINTS: Dictionary[Group, Array] = {
 }
 ## Limbs by which two sources' headings are compared, where both have measured them.
 const COMPARED: PackedInt32Array = [Limbs.HIPS, Limbs.CHEST, Limbs.HEAD]
-## Poses that are further apart are not of the same moment, µs.
+## Greatest distance of poses that count as of one moment, µs.
 const SAME_USEC: int = 2000
-## A source that is so much older than the first is silent, µs.
+## Age relative to the first source from which on a source counts as silent, µs.
 const SILENT_USEC: int = 250000
 
 var _first: Lane = null

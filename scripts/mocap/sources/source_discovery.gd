@@ -8,11 +8,11 @@ const FURTHER_PORTS: Dictionary[String, Array] = {
 	"vmc": [39540],
 	"axis": [7001, 7002, 7003, 7004],
 }
-## Senders of one port that are told.
+## Greatest number of senders of a port that are listed.
 const MAX_SENDERS: int = 8
-## Datagrams of one port that are looked at in a frame.
+## Greatest number of datagrams of a port that are read in a frame.
 const MAX_DATAGRAMS: int = 512
-## Somebody who was silent for longer is told no more, s.
+## Silence after which a sender is no longer listed, s.
 const GONE_S: float = 3.0
 
 var _listeners: Array[Listener] = []

@@ -89,7 +89,7 @@ func set_position(p_joint: int, p_position: Vector3) -> void:
 	_has_position[p_joint] = 1
 
 
-## Sets a joint by its rotation from, and its place on, the nearest joint above it that is set:
+## Sets a joint by its rotation from, and its position on, the nearest joint above it that is set:
 ## joints nearer to the hips come first. Hips are set in the world.
 func set_local(p_joint: int, p_turn: Quaternion, p_offset: Vector3) -> void:
 	var above: int = parent_of(p_joint)
@@ -111,7 +111,7 @@ static func parent_of(p_joint: int) -> int:
 
 
 ## The pose, or null where too little is known for one. [param p_knows_places] says whether the
-## stream has places; without them the lower foot stands on the ground below the origin.
+## stream has positions; without them the lower foot stands on the ground below the origin.
 func build(p_knows_places: bool = true) -> PoseSample:
 	_filler.clear()
 	var count: int = 0

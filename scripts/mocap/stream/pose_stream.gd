@@ -8,11 +8,11 @@ signal appeared(p_source: MotionSource, p_name: String)
 ## A person's motion has stopped.
 signal vanished(p_source: MotionSource)
 
-## Somebody is there from so many samples on: a stray datagram is nobody.
+## Number of samples from which on a person counts as present: a stray datagram is nobody.
 const MIN_SAMPLES: int = 2
-## Somebody of whom nothing came for so long is gone, s.
+## Silence after which a person counts as gone, s.
 const GONE_S: float = 3.0
-## What a sender did wrong is told for so long after its last datagram, s.
+## Time after its last datagram for which a sender's fault is shown, s.
 const FORGOTTEN_S: float = 10.0
 ## Maximum of people, of all senders together.
 const MAX_PEOPLE: int = 8

@@ -4,18 +4,19 @@ extends MotionSource
 ##
 ## Any thread may sample it while another gives it samples and a third one shows it.
 
-## A sender that was silent for so long may begin to count anew, µs.
+## Silence after which a sender may count anew, µs.
 const RESTART_USEC: int = 500000
-## A sample that is so many counts behind the newest is no late one: the sender has begun anew.
+## Number of counts behind the newest beyond which a sample is not late: the sender has begun anew.
 const RESTART_COUNTS: int = 600
-## Time over which it is noted how old poses become, and the greatest age that is waited for, µs.
+## Time over which the age of poses is observed, and the greatest age that is waited for, µs.
 const AGE_SPAN_USEC: int = 3000000
 const MAX_AGE_USEC: int = 45000
-## Samples over which the lengths of limbs are looked at: tracked positions are never still.
+## Number of samples from which lengths of limbs are taken: tracked positions are never still.
 const SIZE_SAMPLES: int = 120
-## How much of a leg an ankle is above the sole: hips are so much higher than the leg is long.
+## Height of an ankle above the sole as a share of the leg: hips are higher by that than the leg is
+## long.
 const HIPS_PER_LEG: float = 1.08
-## Lengths of legs that are believed, m.
+## Plausible lengths of legs, m.
 const LEGS_M: Vector2 = Vector2(0.3, 1.6)
 
 ## Who sends it: "ADDRESS:PORT".

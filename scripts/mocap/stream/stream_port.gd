@@ -7,17 +7,17 @@ extends RefCounted
 ## in that thread: the sender as "ADDRESS:PORT", and when it came, µs of Unix time. Close it before
 ## it is given up: a running thread keeps it alive.
 
-## The thread looks for something new after so long, µs: arrivals are known as exactly as that.
+## Period of polling, µs: times of arrival are as exact as that.
 const POLL_USEC: int = 1000
-## After a second in which nothing came it looks less often, µs: waiting costs nearly nothing.
+## Period of polling after a second of silence, µs: waiting costs nearly nothing.
 const IDLE_USEC: int = 10000
-## More in a second are not looked at, so that a flood costs no more than a core's small part.
+## Greatest number that is read in a second, so that a flood costs only a small part of a core.
 const MAX_PER_SECOND: int = 12000
 ## Room for what comes while the thread has no processor, bytes.
 const ROOM: int = 1 << 20
 ## Nothing is taken from a TCP connection in larger pieces, bytes.
 const PIECE: int = 1 << 16
-## A lost TCP connection is tried again after so long, µs.
+## Time between two attempts to connect, µs.
 const AGAIN_USEC: int = 1000000
 ## Datagrams that wait to be sent; further ones are dropped.
 const MAX_OUTGOING: int = 256

@@ -7,17 +7,17 @@ extends RefCounted
 ## A device that is late is not waited for any longer than [constant WAIT_PERIODS]; then its sensors
 ## are carried on by their rates of turn, for at most [constant AHEAD_S].
 
-## How many periods of its own a device may be behind the newest one before it is not waited for.
+## Periods of its own that a device may be behind the newest one before it is not waited for.
 const WAIT_PERIODS: float = 2.5
 ## Maximum time over which an orientation is extrapolated, s.
 const AHEAD_S: float = 0.03
-## Time without samples after which a device says nothing any more, s.
+## Time without samples after which a device counts as silent, s.
 const SILENT_S: float = 0.5
 ## Frames of a device that are kept: a quarter of a second at the highest rate of a suit.
 const _KEPT: int = 128
-## The period of a device of which only one frame is known, µs.
+## Period to assume of a device of which only one frame is known, µs.
 const _USUAL_PERIOD_USEC: float = 10000.0
-## Moments that are nearer to one another than this are one, µs.
+## Distance below which moments are one, µs.
 const _SAME_USEC: int = 200
 
 # The newest frames of each device, by its number.
@@ -28,7 +28,7 @@ var _fresh: Array[SensorFrame] = []
 var _joined_usec: int = 0
 
 
-## Takes a frame of one device: its own sensors only are present in it.
+## Takes a frame of one device: only that device's sensors are present in it.
 func push(p_device: int, p_frame: SensorFrame) -> void:
 	var frames: Array = _frames.get_or_add(p_device, [])
 	if not frames.is_empty():
@@ -50,8 +50,8 @@ func forget(p_device: int) -> void:
 	_frames.erase(p_device)
 
 
-## The frames of all sensors up to the moment of which all devices have told, oldest first. Those of
-## a device that is alone are passed on as they are.
+## The frames of all sensors up to the moment that all devices have reached, oldest first. Those of
+## a single device are passed on as they are.
 func take() -> Array[SensorFrame]:
 	var joined: Array[SensorFrame] = _fresh
 	_fresh = []

@@ -6,9 +6,9 @@ extends RefCounted
 ## A new calibration begins with none. A suit whose list of sensors changes keeps what is known of
 ## those that stay where they were. For one thread.
 
-## Slower drift than this counts as none, degrees a minute.
+## Drift below which nothing is corrected, degrees a minute.
 const STEADY_DEG_MIN: float = 0.3
-## A limb whose tilt is further from a reset pose than this is not in it, degrees.
+## Greatest distance of a limb's tilt from that of a reset pose, degrees.
 const IN_POSE_DEG: float = 30.0
 
 ## What finds the drift, by mount.
@@ -42,7 +42,7 @@ func add(p_frame: SensorFrame, p_table: SuitTable) -> void:
 	p_table.correct(corrections())
 
 
-## What is taken off the heading of each sensor, rad.
+## The correction of each sensor's heading, rad.
 func corrections() -> PackedFloat64Array:
 	var found: PackedFloat64Array = []
 	found.resize(_mounts.size())

@@ -46,7 +46,7 @@ var _mutex: Mutex = Mutex.new()
 var _profile: PersonProfile = PersonProfile.new()
 var _table: SuitTable = SuitTable.new()
 var _revision: int = -1
-# What is taken off the sensors' headings, rad.
+# The corrections of the sensors' headings, rad.
 var _corrections: PackedFloat64Array = PackedFloat64Array()
 var _unread: Array[SensorFrame] = []
 var _recent: Array[SensorFrame] = []
@@ -176,7 +176,7 @@ func advance(p_now_s: float) -> void:
 		calibrated.emit(process.result)
 
 
-## Invalid frames of the feed, which were dropped.
+## Number of invalid frames of the feed, which were dropped.
 func faulty_frames() -> int:
 	_mutex.lock()
 	var faulty: int = _faulty

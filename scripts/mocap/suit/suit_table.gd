@@ -59,7 +59,7 @@ func entry(p_sensor: int) -> Calibration.Entry:
 	return _entries[p_sensor]
 
 
-## Takes so much off the heading of each sensor, rad, beyond the calibration.
+## Sets the correction of each sensor's heading, rad, beyond the calibration.
 func correct(p_drifts: PackedFloat64Array) -> void:
 	_mutex.lock()
 	for sensor: int in mini(p_drifts.size(), _entries.size()):

@@ -1,7 +1,7 @@
 class_name WearWatch
 extends RefCounted
-## Notices from anybody's motion that sensors are exchanged or have slipped, because joints go
-## where no joint goes; and names them.
+## Notices from any motion that sensors are exchanged or have slipped, because joints turn where no
+## joint turns; and names them.
 ##
 ## It judges the last [constant WINDOW_S] seconds: where joints go ([JointRange]); and the last
 ## [constant LEGS_S]: whether knees and ankles are hinges ([LegSpread]). What bends no joint wrongly
@@ -15,21 +15,21 @@ signal changed
 const WINDOW_S: float = 20.0
 ## Span over which legs are judged, s.
 const LEGS_S: float = 60.0
-## What is noticed must be so for so long before it is said, in conclusions, one a second.
+## Number of conclusions in a row, one a second, before something is reported.
 const LASTS: int = 8
 ## Poses a second that are kept.
 const RATE_HZ: float = 5.0
-## Nothing is said before so many poses.
+## Least number of poses before anything is reported.
 const MIN_POSES: int = 40
-## By so much an exchange must lessen what all joints together are beyond their ranges, in the
-## mean, rad.
+## Least improvement by an exchange, in the mean of what all joints together are beyond their
+## ranges, rad.
 const SWAP_RAD: float = 0.2
-## And it must leave less than this part, and less than this angle, rad.
+## Greatest rest after an exchange: a share of what was, and an angle, rad.
 const EXPLAINS: float = 0.5
 const LEAVES_RAD: float = 0.5
-## Exchanges that are about as good as the best, rad.
+## Difference below which exchanges count as equally good, rad.
 const ABOUT_RAD: float = 0.05
-## A joint that is beyond its range by so much in the mean is bad, rad.
+## Mean excess over its range that makes a joint bad, rad.
 const SLIP_RAD: float = 0.35
 ## Exchanges that bend joints wrongly.
 const PAIRS: Array[Vector2i] = [

@@ -1,8 +1,8 @@
 class_name VmcReader
 extends StreamReader
 ## Reads the VMC protocol (https://protocol.vmc.info, Marionette's side): OSC messages in Unity's
-## left-handed frame, metres, with each bone's rotation from the VRM's T-pose and its place, both on
-## the bone above it. A rotation of VRM 1's own bones (not normalised) cannot be read without the
+## left-handed frame, metres, with each bone's rotation from the VRM's T-pose and its position, both
+## on the bone above it. A rotation of VRM 1's own bones (not normalised) cannot be read without the
 ## model: senders have to normalise them, as VRM 0 does.
 ##
 ## A frame comes in one datagram or in many. It is whole when all bones of the frame before have
@@ -13,7 +13,7 @@ extends StreamReader
 const _MAX_SENDERS: int = 16
 ## Devices of a sender that are named.
 const _MAX_DEVICES: int = 8
-## A lower leg is longer than that, m: else a stream has no places.
+## A lower leg is longer than that, m: else a stream has no positions.
 const _MIN_LEG: float = 0.1
 
 ## Where the sender's time is not known.
@@ -38,7 +38,7 @@ class Frame:
 	var key: int = 0
 	## When its newest bone arrived, µs of Unix time.
 	var arrival_usec: int = 0
-	## Rotation and place of each bone on the one above it, in Godot's frame, by joint.
+	## Rotation and position of each bone on the one above it, in Godot's frame, by joint.
 	var bones: Dictionary[int, Transform3D] = {}
 
 
@@ -151,7 +151,7 @@ func _take(r_actor: Actor, p_message: Array) -> void:
 					r_actor.devices[ByteReader.clean(p_message[1]).left(24)] = true
 
 
-## Whether a message has a name, a place and a rotation.
+## Whether a message has a name, a position and a rotation.
 func _is_place(p_message: Array) -> bool:
 	if p_message.size() < 9 or not p_message[1] is String:
 		fault = "%s has too few arguments" % p_message[0]

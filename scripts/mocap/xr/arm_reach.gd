@@ -3,14 +3,14 @@ extends RefCounted
 ## Brings the hand of a body to the controller that the wearer holds: the elbow's side and the turns
 ## of the arm about itself stay as the suit has them.
 
-## A hand further from its controller than this does not hold it, m; nearer than the second value it
-## does again.
+## Distance from its controller beyond which a hand does not hold it, and below which it does again,
+## m.
 const LET_GO_M: float = 0.6
 const TAKE_M: float = 0.45
-## In this time an arm begins or ceases to follow, s.
+## Time in which an arm begins or ceases to follow, s.
 const FADE_S: float = 0.4
 
-## How much the arm follows: 0 not, 1 all the way.
+## How far the arm follows: 0 not at all, 1 fully.
 var weight: float = 0.0
 
 var _side: int = 0

@@ -1,8 +1,8 @@
 class_name HandGestures
 extends RefCounted
-## What a tracked hand does: pinch, fist, pointing, thumb up, from the joints of an
+## Recognises gestures of a tracked hand: pinch, fist, pointing, thumb up, from the joints of an
 ## [XRHandTracker]. A gesture begins and ends at different bends, and has to last a little, so that
-## a hand at the limit does not chatter.
+## a hand at the limit does not flicker.
 
 ## A gesture has begun.
 signal began(p_gesture: Gesture)
@@ -31,7 +31,7 @@ const PINCH_OFF: float = 0.24
 ## is stretched.
 const BENT: float = 2.4
 const STRETCHED: float = 1.4
-## A gesture has to last so long, s.
+## Least duration of a gesture, s.
 const HOLD_S: float = 0.06
 ## A thumb is up within this angle, rad.
 const UP: float = deg_to_rad(40.0)

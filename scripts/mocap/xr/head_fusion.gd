@@ -3,20 +3,20 @@ extends RefCounted
 ## Moves and turns the body that a suit measures so that it fits the headset (and controllers) of
 ## its wearer: sample by sample, slowly where it is seen.
 ##
-## The view is the headset's and is never touched. Of an inertial suit only heading and place drift:
-## so the whole body is turned about the vertical ([HeadingCorrection]), its head is the headset's,
-## and its hips are where the chain of limbs below the headset puts them. What the headset does not
-## know goes on from where it was. Frame: the tracking space (see [XrFrame]).
+## The view is the headset's and is never touched. Of an inertial suit only heading and position
+## drift: the whole body is turned about the vertical ([HeadingCorrection]), its head takes the
+## headset's rotation, and its hips are where the chain of limbs below the headset puts them. What
+## the headset does not know goes on from where it was. Frame: the tracking space (see [XrFrame]).
 
-## Where the head's rotation, or the body's place, comes from.
+## Where the head's rotation, or the body's position, comes from.
 enum Source {
 	## From the headset; the suit's heading is corrected by the chest, for suits without a sensor on
 	## the head.
 	HMD,
 	## From the suit alone: for a headset without a tracker of its own.
 	SUIT,
-	## From the headset, the suit's heading corrected by its head; the place from the headset, quick
-	## motion from the suit where that knows it.
+	## From the headset, the suit's heading corrected by its head; the position from the headset,
+	## quick motion from the suit where that knows it.
 	BOTH,
 }
 
@@ -24,9 +24,9 @@ enum Source {
 const SOURCES: Dictionary[String, Source] = {
 	"hmd": Source.HMD, "suit": Source.SUIT, "both": Source.BOTH
 }
-## Beyond this pitch a gaze has no heading, rad.
+## Pitch beyond which a gaze has no heading, rad.
 const STEEP: float = deg_to_rad(60.0)
-## A head turns so far on its chest, rad; then neck and chest go along.
+## Greatest turn of a head on its chest, rad; beyond it neck and chest go along.
 const NECK_RANGE: float = deg_to_rad(75.0)
 ## Time constant of the heading of a suit that does not measure the head, s.
 const CHEST_FILTER_S: float = 60.0
@@ -40,7 +40,7 @@ const _SOLVE_MOMENTS: int = 30
 
 ## Where the head's rotation comes from.
 var orientation: Source = Source.BOTH
-## Where the body's place comes from.
+## Where the body's position comes from.
 var position: Source = Source.BOTH
 ## Whether arms reach for tracked controllers.
 var reaches: bool = true
@@ -136,7 +136,7 @@ func _begin(p_sample: PoseSample) -> void:
 	_step_s = (p_sample.time_usec - _time_usec) / 1e6
 	if _time_usec == 0 or _step_s < 0.0 or _step_s > MAX_STEP_S:
 		_step_s = 0.0
-		# The suit may have been put on anew meanwhile: its place has no history.
+		# The suit may have been put on anew meanwhile: its position has no history.
 		_raw_root = p_sample.root
 		_travel = Rotations.yaw(correction()) * Vector3(p_sample.root.x, 0.0, p_sample.root.z)
 	_soft.advance(_step_s)
@@ -213,8 +213,8 @@ func _turn_body(p_sample: PoseSample) -> void:
 		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
 
 
-## Details of a turned body, without places, which change. They are new: a source may still use its
-## own.
+## Details of a turned body, without positions, which change. They are new: a source may still use
+## its own.
 static func _turned_details(p_details: MotionDetails, p_turn: Quaternion) -> MotionDetails:
 	var turned: MotionDetails = MotionDetails.new()
 	turned.counter = p_details.counter
@@ -272,7 +272,7 @@ func _set_place(p_sample: PoseSample, p_frame: XrFrame, p_head: Quaternion) -> v
 			_learn_hips(p_sample, p_frame, wanted)
 	elif hips_known:
 		if not _has_hips:
-			# Never seen together with a headset's place: the tracker is as high as the hips.
+			# Never seen together with a headset's position: the tracker is as high as the hips.
 			var pin: Vector3 = p_frame.pins[XrFrame.Pin.WAIST].origin
 			_learn_hips(p_sample, p_frame, Vector3(pin.x, from_suit.y, pin.z))
 		wanted = p_frame.pins[XrFrame.Pin.WAIST] * _hips.origin

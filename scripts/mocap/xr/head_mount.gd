@@ -11,12 +11,12 @@ extends RefCounted
 ## The pivot of the neck, seen from the eyes, in the axes of a head that faces +Z, m (common neck
 ## model: eyes 80.5 mm ahead of it and 75 mm above).
 const USUAL_LEVER: Vector3 = Vector3(0.0, -0.075, -0.0805)
-## Nods and turns have to go so far, rad.
+## Least range of nods and turns, rad.
 const MIN_NOD: float = deg_to_rad(20.0)
 const MIN_TURN: float = deg_to_rad(40.0)
-## A pivot that moves more than so much (rms, m) was not one: the wearer walked.
+## Rms movement of the pivot beyond which the wearer has walked, m.
 const MAX_LEFT_M: float = 0.02
-## A lever is not further than this from the usual one, m.
+## Greatest distance of a lever from the usual one, m.
 const MAX_OFF_M: float = 0.06
 ## Most that a headset is turned on a head, rad.
 const MAX_TURN: float = deg_to_rad(35.0)
@@ -39,8 +39,8 @@ var _suits: Array[Quaternion] = []
 var _eyes: PackedVector3Array = PackedVector3Array()
 
 
-## Takes a moment of somebody who stands and nods or turns the head: the headset (as
-## [method XrFrame.head_turn] and its place) and the suit's head, raw.
+## Takes a moment of somebody who stands and nods or turns the head: the headset (as [method
+## XrFrame.head_turn] and its position) and the suit's head, raw.
 func add(p_head: Quaternion, p_eyes: Vector3, p_suit: Quaternion) -> void:
 	if _heads.size() >= KEPT:
 		_heads.pop_front()

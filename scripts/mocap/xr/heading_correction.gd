@@ -17,7 +17,7 @@ const WALKING_RATE: float = deg_to_rad(2.0)
 const TURNING_RATE: float = deg_to_rad(5.0)
 ## Part of the wearer's own turn that is used while turning: people do not notice 20 %.
 const TURNING_SHARE: float = 0.1
-## Who moves faster walks, m/s.
+## Speed above which the wearer walks, m/s.
 const WALKING_SPEED: float = 0.4
 ## How fast the rate may change, rad/s².
 const _RATE_CHANGE: float = deg_to_rad(4.0)

@@ -7,9 +7,9 @@ const FADE_S: float = 0.3
 const MAX_SPEED: float = 1.0
 const MAX_TURN: float = 2.0
 
-## What is to be added to the place, m.
+## What is to be added to the position, m.
 var offset: Vector3 = Vector3.ZERO
-## What the rotation is to be turned by, in the frame of the place.
+## What the rotation is to be turned by, in the frame of the position.
 var turn: Quaternion = Quaternion.IDENTITY
 
 

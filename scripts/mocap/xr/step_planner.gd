@@ -1,15 +1,15 @@
 class_name StepPlanner
 extends RefCounted
-## Where the feet of somebody stand of whom only the hips' way is known: planted until the weight
-## has moved, then one step at a time, never across the other foot, never sliding.
+## Plans the feet of a person of whom only the hips' path is known: planted until the weight has
+## moved, then one step at a time, never across the other foot, never sliding.
 ##
-## Frame: the wearer's, metres; a yaw of 0 faces +Z. Places are on the ground below the ankles.
+## Frame: the wearer's, metres; a yaw of 0 faces +Z. Positions are on the ground below the ankles.
 
-## A foot this far from where it should be begins a step, m; one that was left behind, after a
-## pause, already at the second value.
+## Distance from where it should be at which a foot begins a step, m; after a pause the second value
+## is enough.
 const STEP_M: float = 0.2
 const SETTLE_M: float = 0.07
-## And one that is turned so far, rad.
+## Turn from where it should be at which a foot begins a step, rad.
 const STEP_TURN: float = deg_to_rad(38.0)
 const SETTLE_TURN: float = deg_to_rad(14.0)
 ## The pause, s.
@@ -19,17 +19,17 @@ const SLOW_STEP_S: float = 0.42
 const QUICK_STEP_S: float = 0.26
 ## Height of a step, m.
 const LIFT_M: float = 0.07
-## Feet are at least so far from each other across, m.
+## Least distance between the feet across, m.
 const APART_M: float = 0.13
 ## Feet in the air come below the hips in this time, s.
 const HANG_S: float = 0.25
 ## Toes point outwards, rad.
 const TOE_OUT: float = deg_to_rad(6.0)
 
-## Places of the left and the right foot, and how high each is lifted, m.
+## Positions of the left and the right foot, and how high each is lifted, m.
 var places: PackedVector3Array = [Vector3.ZERO, Vector3.ZERO]
 var lifts: PackedFloat32Array = [0.0, 0.0]
-## Which way they point, rad.
+## Yaw of each foot, rad.
 var yaws: PackedFloat64Array = [0.0, 0.0]
 ## How much of its step each has done; 1 while it stands.
 var parts: PackedFloat32Array = [1.0, 1.0]
@@ -68,13 +68,13 @@ func middle() -> Vector3:
 	return (places[0] + places[1]) / 2.0
 
 
-## Where a foot is at ease.
+## Position of a foot at ease.
 func home(p_side: int, p_hips: Vector3, p_yaw: float) -> Vector3:
 	var across: Vector3 = Rotations.yaw(p_yaw) * Vector3(_out(p_side) * _half, 0.0, 0.0)
 	return Vector3(p_hips.x, 0.0, p_hips.z) + across
 
 
-## Goes on by a time, s: hips over a place, facing a yaw, at a velocity, m/s.
+## Goes on by a time, s: hips over a position, facing a yaw, at a velocity, m/s.
 func advance(p_hips: Vector3, p_yaw: float, p_velocity: Vector3, p_step_s: float) -> void:
 	var velocity: Vector3 = Vector3(p_velocity.x, 0.0, p_velocity.z).limit_length(4.0)
 	for side: int in 2:
@@ -152,7 +152,7 @@ func _aim(p_side: int, p_hips: Vector3, p_yaw: float, p_velocity: Vector3) -> vo
 		_to[p_side] += across * (APART_M - apart)
 
 
-## A way past the other foot.
+## A path past the other foot.
 func _past(p_side: int, p_place: Vector3) -> Vector3:
 	var other: Vector3 = places[1 - p_side]
 	var across: Vector3 = Rotations.yaw(_to_yaw[p_side]) * Vector3(_out(p_side), 0.0, 0.0)

@@ -13,11 +13,11 @@ const YAW_S: float = 0.25
 const LEAN_S: float = 0.15
 const VELOCITY_S: float = 0.15
 const ARM_S: float = 0.3
-## The head turns so far before the body goes along, rad.
+## Turn of the head from which on the body goes along, rad.
 const FREE_YAW: float = deg_to_rad(25.0)
-## How far the head may be ahead of the feet before that is a lean, m.
+## Distance of the head ahead of the feet from which on it is a lean, m.
 const FREE_LEAN_M: float = 0.1
-## How far the hips go back in a lean: the part of the way of the head that remains.
+## How far the hips go back in a lean: the part of the head's movement that remains.
 const LEAN_REACH: float = 0.65
 ## Part of the lean that a head which comes down makes at least.
 const CROUCH_LEAN: float = 0.42
@@ -30,7 +30,7 @@ const LYING_M: float = 0.12
 ## Range of an ankle, rad, about the axes of the reset pose.
 const ANKLE_MIN: Vector3 = Vector3(-0.7, -0.8, -0.5)
 const ANKLE_MAX: Vector3 = Vector3(0.9, 0.8, 0.5)
-## A head that is more than this above its standing height is in the air, m.
+## Height above standing from which on a head is in the air, m.
 const JUMP_M: float = 0.04
 
 ## Whether the wearer sits on a chair.
@@ -107,7 +107,7 @@ static func yaw_of(p_head: Quaternion) -> float:
 	return atan2(level.x, level.z)
 
 
-## Heading, place and velocity of the wearer.
+## Heading, position and velocity of the wearer.
 func _follow(p_frame: XrFrame, p_head: Quaternion, p_step_s: float) -> void:
 	var pivot: Vector3 = mount.pivot_of(p_frame.head_turn(), p_frame.head.origin)
 	var looks: float = yaw_of(p_head)
@@ -130,7 +130,7 @@ func _follow(p_frame: XrFrame, p_head: Quaternion, p_step_s: float) -> void:
 
 
 func _turn(p_frame: XrFrame, p_looks: float, p_step_s: float) -> void:
-	# Who holds both hands to one side has turned the chest there.
+	# Both hands to one side mean that the chest has turned there.
 	var wanted: float = p_looks
 	if p_frame.has_hands[0] != 0 and p_frame.has_hands[1] != 0:
 		var hands: Vector3 = (p_frame.hands[0].origin + p_frame.hands[1].origin) / 2.0 - _base
@@ -139,7 +139,7 @@ func _turn(p_frame: XrFrame, p_looks: float, p_step_s: float) -> void:
 		if there.dot(way) > -0.03:
 			wanted = atan2(way.x + there.x, way.z + there.z)
 	var off: float = angle_difference(_yaw, wanted)
-	# Small turns of the head are the neck's; a walker faces where the way leads.
+	# Small turns of the head are the neck's; a walker faces where the path leads.
 	var free: float = FREE_YAW * clampf(1.0 - _velocity.length(), 0.0, 1.0)
 	off = signf(off) * maxf(absf(off) - free, 0.0) + off * 0.15
 	_yaw = wrapf(_yaw + off * _part(p_step_s, YAW_S), -PI, PI)
@@ -176,7 +176,7 @@ func _wanted_lean(p_head: Quaternion) -> Vector2:
 	var level: Vector3 = Rotations.yaw(-_yaw) * Vector3(off.x, 0.0, off.z)
 	var ahead: float = signf(level.z) * maxf(absf(level.z) - FREE_LEAN_M, 0.0)
 	var lean: float = asin(clampf(ahead / (LEAN_REACH * _trunk_m), -0.3, 0.97))
-	# Who looks down while the head comes down bends; who looks ahead crouches.
+	# A head that comes down means a bend if it looks down, and a crouch if it looks ahead.
 	var looks_down: float = clampf(-(p_head * Vector3.BACK).y, 0.0, 1.0)
 	var least: float = most * (CROUCH_LEAN + 0.25 * looks_down)
 	# Hips are not below the floor: who lies has the trunk level.
@@ -265,7 +265,7 @@ func _set_legs(r_pose: PoseSample, p_frame: XrFrame) -> void:
 	if up > 0.03 and not is_seated:
 		steps.hang(_base, _yaw, _velocity, step_s)
 	elif not is_seated:
-		# Feet stand below the weight: who leans has the hips behind it and the head before it.
+		# Feet stand below the weight: in a lean the hips are behind it and the head before it.
 		var weight: Vector3 = r_pose.root.lerp(_base, 0.5)
 		steps.advance(weight + _stretched(r_pose), _yaw, _velocity, step_s)
 	for side: int in 2:

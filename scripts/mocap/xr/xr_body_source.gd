@@ -3,15 +3,15 @@ extends XrSource
 ## The motion of somebody who wears a headset and holds controllers (or whose hands are tracked),
 ## with or without trackers on the body, and without a suit.
 ##
-## The wearer's height is taken from the eyes' unless it is given: the highest place at which they
-## were for [constant TALL_S].
+## The wearer's height is taken from the eyes' unless it is given: the highest position at which
+## they were for [constant TALL_S].
 
-## For so long eyes have to be at a height, s.
+## Time for which the eyes must be at a height, s.
 const TALL_S: float = 0.4
-## Heights that are believed, m.
+## Plausible heights, m.
 const MIN_HEIGHT: float = 1.2
 const MAX_HEIGHT: float = 2.2
-## A height that differs by less is the same one, m.
+## Difference of heights that is ignored, m.
 const _SAME_M: float = 0.02
 
 ## Whether the wearer sits on a chair.
@@ -45,7 +45,7 @@ func learn_pins() -> void:
 	_mutex.unlock()
 
 
-## How often the wearer's size was found anew: who sent it sends it again.
+## Counts how often the wearer's size was found anew: then it has to be sent again.
 func measured_times() -> int:
 	_mutex.lock()
 	var times: int = _times

@@ -30,7 +30,7 @@ var time_usec: int = 0
 var head: Transform3D = Transform3D.IDENTITY
 ## Whether the headset's rotation is known.
 var has_head: bool = false
-## Whether its place is known too.
+## Whether its position is known too.
 var has_place: bool = false
 ## Wrists of the left and the right hand.
 var hands: Array[Transform3D] = [Transform3D.IDENTITY, Transform3D.IDENTITY]

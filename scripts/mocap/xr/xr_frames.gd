@@ -5,7 +5,8 @@ extends RefCounted
 
 ## Frames that are kept.
 const KEPT: int = 32
-## A frame holds this long after its moment, µs; later nothing is known: the runtime has stalled.
+## Time for which a frame holds after its moment, µs; later nothing is known: the runtime has
+## stalled.
 const HOLD_USEC: int = 250_000
 
 var _mutex: Mutex = Mutex.new()

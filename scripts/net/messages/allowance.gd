@@ -1,8 +1,8 @@
 class_name Allowance
 extends RefCounted
-## So many at once of each key, and so many more a second: a bucket of tokens for each.
+## Limits how often something may happen, by key: a token bucket for each.
 
-## Keys that are remembered; beyond, those that have all back are forgotten, then the oldest.
+## Greatest number of keys; beyond it those with full buckets are forgotten, then the oldest.
 const MAX_KEYS: int = 4096
 
 var _burst: float = 1.0

@@ -59,5 +59,5 @@ static func decode(p_bytes: PackedByteArray) -> ClockMessage:
 	packet.tick_usec = p_bytes.decode_u64(21)
 	packet.tick_rate = p_bytes.decode_u16(29)
 	var sane: bool = packet.server_usec >= 0 and packet.tick_usec >= 0 and packet.tick_rate > 0
-	# No server's tick began so long ago, or will begin so much later.
+	# Greatest distance of a tick's beginning from the server's time, µs.
 	return packet if sane and absi(packet.server_usec - packet.tick_usec) < 3600000000 else null

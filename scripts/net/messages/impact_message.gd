@@ -1,10 +1,11 @@
 class_name ImpactMessage
 extends RefCounted
-## What strikes what in a tick, as bytes: server to client, fast path, each once. One that is lost
-## is a sound that is not heard.
+## Which bodies strike each other in a tick, as bytes: server to client, fast path, each once. Where
+## one is lost, a sound is missing.
 ##
 ## Little-endian: u8 message; u32 tick; u8 count; of each: u16 entity, u16 other entity, three i24
-## for the place (cm), u8 impulse and u8 slip (see [method encode]), u8 material, u8 other material.
+## for the position (cm), u8 impulse and u8 slip (see [method encode]), u8 material, u8 other
+## material.
 
 ## Most impacts of a message.
 const MAX_COUNT: int = 16
@@ -16,7 +17,7 @@ const MIN_IMPULSE: float = 0.01
 const STEPS_PER_OCTAVE: float = 12.0
 ## Step of the slip, m/s: up to 16 m/s.
 const SLIP_STEP: float = 1.0 / 16.0
-## Step of the place, m.
+## Step of the position, m.
 const PLACE_STEP: float = 0.01
 const _MAX_PLACE: int = 0x7fffff
 

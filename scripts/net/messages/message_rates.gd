@@ -5,8 +5,8 @@ extends RefCounted
 ## An order that comes too soon is answered, and its sender stays; other messages are dropped and
 ## counted. What touches everybody has a limit for all sessions together besides.
 
-## Of each kind: how many of a session at once, how many more a second; the same of all sessions
-## together, or zeros where that has no limit.
+## Of each kind: burst of a session and its rate per second; then the same of all sessions together,
+## zeros where there is no limit.
 const ROWS: Dictionary[StringName, Array] = {
 	&"who": [4, 2.0, 0, 0.0],
 	&"admit": [64, 20.0, 0, 0.0],
@@ -14,7 +14,8 @@ const ROWS: Dictionary[StringName, Array] = {
 	&"kick": [32, 4.0, 64, 8.0],
 	&"ban": [32, 2.0, 64, 4.0],
 	&"calibrate": [64, 4.0, 64, 8.0],
-	# Those that are carried out: all together one in twenty seconds, the last that was asked for.
+	# Orders that are carried out: all sessions together have one in twenty seconds, and the last
+	# order counts.
 	&"level": [8, 2.0, 3, 0.05],
 	&"fields": [8, 4.0, 16, 8.0],
 	&"effect": [4, 1.0, 8, 2.0],
@@ -23,7 +24,7 @@ const ROWS: Dictionary[StringName, Array] = {
 	&"wearer": [16, 4.0, 0, 0.0],
 	&"stats": [4, 2.0, 0, 0.0],
 	&"commands": [CommandQueue.MAX_BURST, CommandQueue.MAX_PER_SECOND, 0, 0.0],
-	# The last list counts.
+	# Of several lists the last one counts.
 	&"people": [1, 1.0 / PEOPLE_PERIOD_S, 0, 0.0],
 	# Counted by the second.
 	&"motion": [MOTIONS, MOTIONS, 0, 0.0],

@@ -10,7 +10,7 @@ const MAX_TEXT: int = 200
 
 ## What it is about.
 var kind: Protocol.Notice = Protocol.Notice.TELL
-## Why the client is dismissed, or what its user is to know.
+## The reason of a dismissal, or a text for the client's user.
 var text: String = ""
 ## Which of the client's people is to calibrate.
 var index: int = 0

@@ -1,7 +1,7 @@
 class_name AddressNetwork
 extends RefCounted
-## What an address counts as where something is limited by address: whoever has one IPv6 address has
-## its whole /64, and often a /48.
+## The network that an address counts as where something is limited by address: a subscriber with
+## one IPv6 address has its whole /64, and often a /48.
 
 ## Groups of 16 bits of an IPv6 address.
 const _GROUPS: int = 8

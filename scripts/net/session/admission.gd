@@ -16,10 +16,10 @@ enum Verdict {
 
 ## Seconds that a client has for its join request, and for confirming the reply.
 const REQUEST_S: float = 3.0
-## A lost session makes room for others who wait not before so many seconds after the loss.
+## Time after its loss from which on a lost session makes room for others, s.
 const RETURN_S: float = 10.0
 
-## Those who waited and must not any longer, as the line is full: the caller refuses them.
+## Peers that waited and have to go, as the line is full: the caller refuses them.
 var pushed: Array[PendingPeer] = []
 
 var _rules: ServerRules = null
@@ -97,7 +97,7 @@ func waiting() -> Array[PendingPeer]:
 	return _line.all()
 
 
-## Their places, from 1.
+## Their positions, from 1.
 func places() -> Dictionary[PendingPeer, int]:
 	return _line.places()
 
@@ -160,8 +160,8 @@ func _judge_password(p_pending: PendingPeer, p_known: bool, p_now_usec: int) -> 
 		return Verdict.WELCOME
 	if not p_pending.key.is_empty():
 		return Verdict.WELCOME
-	# Whoever knows a session's token does not guess: an attacker from the same address must not
-	# keep those out who come back.
+	# A client with the token of a session does not guess: an attacker from the same address must
+	# not keep it out.
 	if not p_known and not _logins.take(p_pending.address, p_now_usec / 1e6):
 		return _refuse(p_pending, "too many wrong passwords came from your address", true)
 	if p_pending.request.is_proven(p_pending.challenge, _rules.key_of(role)):
@@ -184,7 +184,7 @@ func _judge_room(p_pending: PendingPeer, p_now_usec: int) -> Verdict:
 	return Verdict.WAIT
 
 
-## Whether there is room for somebody, and nobody who waits has it before him. Says what he waits
+## Whether there is room for a peer, and nobody else waits for it before. Sets what the peer waits
 ## for if not.
 func _may_enter(p_pending: PendingPeer, p_now_usec: int) -> bool:
 	var lost: Array[Session] = _sessions.lost_for(RETURN_S, p_now_usec)
@@ -208,8 +208,8 @@ func _next_who_may(p_now_usec: int) -> PendingPeer:
 	return null
 
 
-## Whether there is room for one more. Where there is none, a lost session may end for him:
-## [member PendingPeer.displaced]. Sets what he waits for if not.
+## Whether there is room for one more. Where there is none, a lost session may end for the peer:
+## [member PendingPeer.displaced]. Sets what the peer waits for if not.
 func _has_room(p_pending: PendingPeer, p_lost: Array[Session]) -> bool:
 	var most: int = _rules.share_of_address()
 	var of_network: int = _sessions.count_at(p_pending.network)

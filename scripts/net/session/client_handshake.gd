@@ -3,7 +3,7 @@ extends RefCounted
 ## A client's half of the handshake, the counterpart of [ServerHandshake]: it answers the challenge
 ## with the join request, proves the password, and has the server prove that it knows it too.
 ##
-## It outlasts a connection: what the server gave us to come back with is kept here.
+## It outlasts a connection: it keeps what the server gave us to come back with.
 
 ## The server has admitted us, and has proven the password if there is one.
 signal welcomed(p_reply: JoinReply)
@@ -16,9 +16,10 @@ signal put_off(p_why: String)
 
 ## Whether the connection is sealed.
 var seals: bool = true
-## Keeps the session's token over a crash of the program; null keeps it in memory only.
+## Keeps the session's token, so that a client whose program crashed can come back; null keeps it in
+## memory only.
 var token_file: SessionTokenFile = null
-## Knows the server by its key.
+## Decides which keys of servers are trusted.
 var trust: ServerTrust = ServerTrust.new()
 
 var _api: SceneMultiplayer = null
@@ -76,7 +77,7 @@ func attach(p_api: SceneMultiplayer, p_peer: ThreadedPeer) -> void:
 	_api.peer_authenticating.connect(_on_authenticating)
 
 
-## The connection is over, or to be: nothing more is heard of this one.
+## The connection is over, or will be: nothing more of it is processed.
 func detach() -> void:
 	_api = null
 	_peer = null
@@ -113,7 +114,7 @@ func _on_authenticating(_peer_id: int) -> void:
 	var joined: TransportEvent = _peer.sealed_join() if _peer != null else null
 	if joined == null:
 		return
-	# Before anything is said: what follows is for this server alone.
+	# Before anything is sent: what follows is for this server alone.
 	if not trust.take(_where, joined.server_key, _password != ""):
 		refused.emit(trust.other.describe())
 		return
@@ -150,7 +151,8 @@ func _take_challenge(p_bytes: PackedByteArray) -> void:
 		return
 	_locked = challenge.is_locked(_request.role)
 	if _password != "" and not _locked:
-		# What was given must be proved: the challenge is anybody's, and the token goes to its sender.
+		# What was given must be proven: anybody can send a challenge, and the token goes to its
+		# sender.
 		refused.emit(TransportSealing.ASKS_FOR_NO_PASSWORD)
 		return
 	_challenge = p_bytes

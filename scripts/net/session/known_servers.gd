@@ -19,7 +19,7 @@ const _DAMAGED_BYTES: int = 32
 const _HEAD: String = "# Servers that were joined: address, public key, since when."
 ## Longest name of a host that the domain name system has, and a port.
 const _MAX_ADDRESS: int = 260
-## How long others may take that change it, ms.
+## Longest time for which others may hold the lock while they change the file, ms.
 const _PATIENCE_MS: int = 2000
 const _LOOK_MS: int = 5
 ## Maximum of damaged lines that are named; the others are counted.
@@ -157,7 +157,7 @@ func _write() -> void:
 	var file: FileAccess = FileAccess.open(fresh, FileAccess.WRITE)
 	var done: Error = OK if file != null else FileAccess.get_open_error()
 	if file != null:
-		# With whom somebody trains is nobody else's business.
+		# Only the user may know which servers were joined.
 		FileAccess.set_unix_permissions(
 			fresh, FileAccess.UNIX_READ_OWNER | FileAccess.UNIX_WRITE_OWNER
 		)
@@ -171,7 +171,7 @@ func _write() -> void:
 		error = "%s cannot be written: %s" % [path, error_string(done)]
 
 
-## What only one client has at a time; null where it cannot be had.
+## A lock that only one client has at a time; null where it cannot be had.
 func _lock() -> PrivateFile:
 	var opened: Error = DirAccess.make_dir_recursive_absolute(path.get_base_dir())
 	var lock: PrivateFile = PrivateFile.new()

@@ -11,7 +11,7 @@ extends RefCounted
 const BURST: int = 5
 ## Seconds after which one more is allowed.
 const PER_GUESS_S: float = 2.0
-## Tries that were not given back are forgotten after so long, s.
+## Time after which a try that was not given back is forgotten, s.
 const REMEMBERED_S: float = 3600.0
 ## Networks whose failures are remembered; the oldest go.
 const MAX_NETWORKS: int = 4096

@@ -34,7 +34,7 @@ var later: bool = false
 var waits: bool = false
 ## What it waits for.
 var waits_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
-## The place that it was told last, and for what; 0: none.
+## The position in the line that its last notice named, and what it waits for; 0: none.
 var told_position: int = 0
 var told_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
 ## Whether it was refused.

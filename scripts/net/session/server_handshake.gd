@@ -73,7 +73,7 @@ func admit(p_peer: int) -> String:
 	return ""
 
 
-## The place of a peer among those who wait for room, from 1; 0 if it does not.
+## The position of a peer among those who wait for room, from 1; 0 if it does not.
 func place_of(p_peer: int) -> int:
 	var pending: PendingPeer = _admission.find(p_peer)
 	if pending == null or pending.waits_for == JoinReply.Wait.INSTRUCTOR:

@@ -1,6 +1,6 @@
 class_name ServerKeyFile
 extends RefCounted
-## Keeps what a server's key pair is made from, so that clients know it again after each start.
+## Keeps the seed of a server's key pair, so that clients know the server again after each start.
 ##
 ## The file is made at the first start. One that is damaged is never replaced: every client would be
 ## asked whether it trusts the new key.
@@ -10,7 +10,7 @@ const DEFAULT_PATH: String = "user://server.key"
 
 const _HEAD: String = "dismount-server-key 1"
 const _MAX_BYTES: int = 4096
-## How long another server may take that makes the same file, ms.
+## Longest wait for another server that makes the same file, ms.
 const _PATIENCE_MS: int = 2000
 const _LOOK_MS: int = 5
 ## Whoever else may read or change it.
@@ -18,7 +18,7 @@ const _OTHERS: int = (
 	FileAccess.UNIX_READ_OTHER | FileAccess.UNIX_WRITE_OTHER | FileAccess.UNIX_WRITE_GROUP
 )
 
-## What the key pair is made from, [constant KeyFingerprint.KEY_SIZE] bytes.
+## Seed of the key pair, [constant KeyFingerprint.KEY_SIZE] bytes.
 var key_seed: PackedByteArray = PackedByteArray()
 ## Fingerprint of the public key.
 var fingerprint: String = ""

@@ -1,7 +1,7 @@
 class_name ServerTrust
 extends RefCounted
-## Decides which key a client takes of the server that it joins: the one that it has seen there
-## before, and on the first use any. A password proves more than a key, which is only remembered.
+## Decides which key of a server a client accepts: the one that it has seen there before, and any at
+## the first time. A password proves more than a key, which is only remembered.
 ##
 ## A connection that is lost and made again finds the same key, too. Several clients of one program
 ## can share one.
@@ -44,7 +44,7 @@ func expect(p_address: String) -> PackedByteArray:
 	var kept: PackedByteArray = servers.find(p_address)
 	_tell_faults()
 	if not kept.is_empty() and pin != "" and KeyFingerprint.of(kept) != pin:
-		# The user has been told of another since.
+		# Since then the user has seen another key.
 		return PackedByteArray()
 	return kept
 

@@ -1,15 +1,15 @@
 class_name SessionInbox
 extends RefCounted
-## Hands what the clients of a server send to the handlers of its kind, if their role may send it,
-## and logs what is wrong with it.
+## Hands the messages of a server's clients to the handlers of their kind, if the sender's role may
+## send it, and logs what is wrong with them.
 ##
-## Each session has a turn in each tick: what does not fit into it waits for the next, so that
-## nobody costs the others more than that, whatever it sends and however much at once.
+## Each session has a turn in each tick: messages that do not fit into it wait for the next. No
+## client can cost the others more than that, whatever it sends.
 
 ## A session has sent more messages over the reliable channel than can be processed.
 signal overrun(p_session: Session)
 
-## Processor time of a session's turn, µs: one message more may begin within it.
+## Processor time of a session's turn, µs: no message begins after it.
 const TURN_USEC: int = 250
 ## Datagrams of the fast path that a session may have waiting; older ones are dropped.
 const MAX_FAST: int = 64
@@ -18,9 +18,9 @@ const MAX_RELIABLE: int = 512
 
 ## Datagrams that were dropped, as newer ones came before their turn.
 var dropped: int = 0
-## What was not taken in, since the start: how often, by the key of its complaint.
+## Number of messages that were refused since the start, by the key of the complaint.
 var refused: Dictionary[String, int] = {}
-## How often sessions may send what.
+## Limits of how often sessions may send each message.
 var rates: MessageRates = MessageRates.new()
 
 var _handlers: MessageHandlers = MessageHandlers.new()
@@ -31,9 +31,9 @@ var _waiting: Dictionary[Session, bool] = {}
 var _round: int = 0
 
 
-## What a session has used of its turn, and what waits for the next one.
+## The time that a session has used of its turn, and the messages that wait for the next one.
 class Turn:
-	## The turns of which [member spent_usec] is.
+	## The number of the turn that [member spent_usec] belongs to.
 	var number: int = 0
 	var spent_usec: int = 0
 	var reliable: Array[FastPacket] = []

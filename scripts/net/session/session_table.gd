@@ -19,7 +19,7 @@ var _at_site: Dictionary[String, int] = {}
 ## A new session.
 func open(p_request: JoinRequest, p_peer: int, p_address: String) -> Session:
 	var session: Session = Session.new()
-	# 16 bits, so that a field of an entity can hold it.
+	# 16 bits, as a field of an entity can hold it.
 	while _sessions.has(_next_id):
 		_next_id = _next_id % MAX_ID + 1
 	session.id = _next_id
@@ -167,7 +167,7 @@ static func _add(r_counts: Dictionary[String, int], p_key: String, p_change: int
 		r_counts.erase(p_key)
 
 
-## A name that no other session has: on screen and in orders people are told apart by it.
+## A name that no other session has: people are distinguished by it on screen and in orders.
 func _free_name(p_name: String) -> String:
 	var taken: Dictionary[String, bool] = {}
 	for id: int in _sessions:

@@ -10,7 +10,7 @@ extends RefCounted
 const FOLDER: String = "user://sessions"
 ## Clients of one name on one machine that can come back.
 const MAX_SLOTS: int = 64
-## A file that nobody has used for so long is removed, s: no server keeps a session that long.
+## Time without use after which a file is removed, s: no server keeps a session that long.
 const STALE_S: int = 86400
 
 var _file: PrivateFile = null

@@ -2,9 +2,9 @@ class_name WaitingLine
 extends RefCounted
 ## Those who wait at a server, for an instructor or for room, in the order in which they came.
 ##
-## It is bounded, for each address and in all. Where it is full, the last of the address that has
-## most in it makes room for one of an address that has fewer: who fills it pushes nobody out but
-## himself.
+## It is bounded, for each address and in all. Where it is full, the last peer of the address with
+## most peers makes room for one of an address with fewer: an attacker who fills it pushes out
+## nobody else.
 
 ## Clients that may wait.
 const MAX: int = 64
@@ -52,7 +52,7 @@ func remove(p_pending: PendingPeer) -> void:
 	_waiting.erase(p_pending)
 
 
-## The places of all, from 1: those who wait for an instructor are one line, all others another.
+## The positions of all, from 1: those who wait for an instructor are one line, all others another.
 func places() -> Dictionary[PendingPeer, int]:
 	var made: Dictionary[PendingPeer, int] = {}
 	var for_instructor: int = 0

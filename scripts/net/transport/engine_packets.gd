@@ -1,7 +1,7 @@
 class_name EnginePackets
 extends RefCounted
-## What a server sends and gets of the engine's own packets: of spawners, synchronizers and the
-## paths of their nodes.
+## Filters the engine's own packets on a server: of spawners, synchronizers and the paths of their
+## nodes.
 ##
 ## Clients send one kind only: that they know a path. The engine reports an error for each one that
 ## it does not expect, so that others are dropped here. While a level is loaded, what is sent waits:
@@ -12,7 +12,7 @@ const _SIMPLIFY_PATH: int = 1
 const _CONFIRM_PATH: int = 2
 const _RAW: int = 3
 const _SYSTEM: int = 7
-## Where the id of a path is: behind the command and the checksum of the node's methods.
+## Offset of a path's id: behind the command and the checksum of the node's methods.
 const _ID_AT: int = 34
 const _CONFIRM_SIZE: int = 6
 
@@ -46,7 +46,7 @@ static func is_one(p_bytes: PackedByteArray) -> bool:
 	return command != _RAW and command != _SYSTEM
 
 
-## From now on packets wait.
+## Begins to hold packets back.
 func hold() -> void:
 	_holds = true
 

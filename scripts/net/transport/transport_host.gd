@@ -9,19 +9,19 @@ const CHANNELS: int = 7
 const UNRELIABLE_CHANNEL: int = 1
 ## Maximum of connections that have not been admitted; beyond it the oldest is closed.
 const MAX_ARRIVING: int = 512
-## When an end that answers nothing is gone: ENet's limit (2 to the attempts), least and most ms.
-## With less, a fifth of the datagrams lost would end connections now and then; and silence is to be
-## noticed as such before, see [constant SILENT_MS].
+## When a peer that answers nothing is given up: ENet's limit (2 to the attempts), least and most
+## ms. With less, the loss of a fifth of all datagrams would end connections now and then; and
+## silence is noticed earlier, see [constant SILENT_MS].
 const TIMEOUTS_MS: Array[int] = [64, 6000, 8000]
-## When a server of which nothing at all is heard is gone, ms: it says something every 1.5 s.
+## Silence after which a server is given up, ms: it sends something every 1.5 s.
 const SILENT_MS: int = 5500
 ## First bytes of a probe and of its receipt, both followed by 8 bytes: see [ReceiptWindow].
 const PROBE: PackedByteArray = [0xFF, 0x4D]
 ## See [constant PROBE].
 const RECEIPT: PackedByteArray = [0xFF, 0x52]
 
-# How often ENet asks an end of which it hears nothing, ms. What goes beside ENet it does not hear:
-# with its own 500 ms it would take 2 kbit/s.
+# Period of ENet's pings to a silent peer, ms. ENet does not hear what goes beside it: with its own
+# 500 ms pings would take 2 kbit/s.
 const _PING_MS: int = 1500
 const _WINDOW_USEC: int = 1000000
 const _LEAVING_USEC: int = 1000000
@@ -79,7 +79,7 @@ func _on_connect(p_remote: ENetPacketPeer, p_data: int) -> void:
 	_events.append(joined)
 
 
-## Who it is that stands behind a loopback address for ENet; null if it has gone already.
+## The connection behind a loopback address of ENet; null if it has gone already.
 func _describe(p_id: int, p_remote: ENetPacketPeer) -> TransportEvent:
 	var joined: TransportEvent = TransportEvent.new(TransportEvent.Kind.JOINED, p_id)
 	if not _server:

@@ -15,7 +15,7 @@ const _SEALING_BYTES: int = 18
 
 ## Whether they are.
 var seals: bool = true
-## Version of the protocol that both ends must have in common, where they are.
+## Version of the protocol, which both ends of a sealed connection must share.
 var version: int = 0
 ## On a server: the password of each role, by number; empty where it needs none.
 var passwords: PackedStringArray = PackedStringArray()
@@ -39,7 +39,7 @@ static func off() -> TransportSealing:
 	return made
 
 
-## Bytes that a datagram has on its way more than the message in it.
+## Bytes that a datagram has on the wire more than the message in it.
 func datagram_overhead() -> int:
 	return _HEADER_BYTES + (_SEALING_BYTES if seals else _KIND_BYTES)
 

@@ -18,9 +18,9 @@ const INNER_ADDRESS: String = "127.0.0.1"
 ## Maximum of bytes that wait for the main thread: a client whose main thread stalls longer is lost.
 const _MAX_WAITING_BYTES: int = 32 << 20
 const _HOUSEKEEPING_USEC: int = 100000
-## The same on a client, which has one connection to look after, µs.
+## Period of housekeeping on a client, which has one connection to look after, µs.
 const _CLIENT_HOUSEKEEPING_USEC: int = 250000
-## After so many errors in a row the host counts as dead.
+## Errors in a row after which the host counts as dead.
 const _MAX_ERRORS: int = 20
 const _LINGER_MS: int = 300
 ## With more events than so many in [constant _HOUSEKEEPING_USEC] the thread takes pauses and then
@@ -30,7 +30,7 @@ const _BUSY_EVENTS: int = 60
 ## Whether a client has a thread. Without one nothing moves but by [method serve]: for programs with
 ## more clients than a machine can keep threads awake for.
 var has_thread: bool = true
-## What the thread and the others hand each other.
+## The queues between the thread and all others.
 var mailbox: TransportMailbox = TransportMailbox.new()
 
 var _host: ENetConnection = null

@@ -3,9 +3,9 @@ extends RefCounted
 ## Watches the files of effects in a folder and says which have changed. It reads them in a thread:
 ## the folder may be on a network.
 
-## Time between two looks, s.
+## Time between two looks at the folder, s.
 const PERIOD_S: float = 0.5
-## Files of a folder that are looked at.
+## Greatest number of files of a folder.
 const MAX_FILES: int = 128
 
 ## The folder; empty for none.
@@ -63,6 +63,6 @@ func _look() -> void:
 		if file.get_extension() != EffectFile.EXTENSION or _read.size() >= MAX_FILES:
 			continue
 		var access: FileAccess = FileAccess.open(path.path_join(file), FileAccess.READ)
-		# One that an editor is just replacing is there at the next look.
+		# A file that an editor is just replacing is there at the next look.
 		if access != null:
 			_read[file.get_basename()] = access.get_buffer(EffectLimits.MAX_BYTES + 1)

@@ -3,16 +3,16 @@ extends ServerPart
 ## Gives new texts of effects to all clients while a session runs: those that change in the folder
 ## of --effects, and those that instructors send.
 ##
-## Every text is checked before anybody gets it; a broken one is named in the log and to whoever
-## sent it, and everything stays as it was. Who comes later gets the newest, and who is behind gets
-## the newest only.
+## Every text is checked before any client gets it; a broken one changes nothing, and the log and
+## its sender name the fault. Clients that join later get the newest text, and clients that are
+## behind skip older ones.
 
 ## Effects that have been changed in a session.
 const MAX_EFFECTS: int = 128
 ## Texts that wait for their check.
 const MAX_WAITING: int = 32
-## Time after a text that does not compile in which the engine's compiler does not speak, s: it
-## writes to the log. What is wrong on which line is then told for the first of them only.
+## Time after a text that does not compile during which the engine's compiler is silent, s: it
+## writes to the log. Only the first of them is reported with its lines, therefore.
 const QUIET_S: float = 3.0
 ## Parts that are sent in a tick, to all sessions together, and to each.
 const PARTS_PER_TICK: int = 12

@@ -3,7 +3,7 @@ extends RefCounted
 ## Changes of level that instructors ask for. Each stops the world for some ticks, so that they come
 ## rarely: see [MessageRates]. Until a change may begin, the last level that was asked for counts.
 
-## Time between two looks for levels that there may not be, s: it reads folders.
+## Time between two searches for a level that may not exist, s: each reads folders.
 const LOOK_S: float = 0.25
 
 var _level: ServerLevel = null

@@ -23,7 +23,7 @@ var table: EntityTable = EntityTable.new()
 var level: Level = null
 ## Its name.
 var level_name: String = ""
-## How clients are told of it: see [LevelReference].
+## Its name on the wire: see [LevelReference].
 var reference: String = ""
 ## The folder that it is from; null for one of the program's own.
 var folder: LevelFolder = null
@@ -89,7 +89,7 @@ func load_level(p_name: String, p_tick: int = 0) -> String:
 ## Begins to replace the present level by another, while the ticks go on: see [method advance].
 ## Until it is read the present one stays. Returns why it cannot, or an empty text.
 func change_level(p_name: String) -> String:
-	# What cannot be loaded is told in the next tick.
+	# A level that cannot be loaded is reported in the next tick.
 	if is_changing():
 		return "world '%s' is being loaded" % loader.name
 	longest_usec = 0
@@ -228,7 +228,7 @@ func _list_things() -> void:
 
 
 ## Puts the level's things into the table, until a moment of [method Time.get_ticks_usec]. Returns
-## whether all are in.
+## whether all are in it.
 func _spawn_until(p_usec: int, p_tick: int) -> bool:
 	while not _things.is_empty():
 		var thing: Node = _things.pop_back()

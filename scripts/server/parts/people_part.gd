@@ -26,7 +26,7 @@ func begin() -> String:
 	return ""
 
 
-## Who comes comes in the tick that begins.
+## People who come take part in the tick that begins.
 func receive(_now_usec: int) -> void:
 	context.people.tick = context.tick + 1
 

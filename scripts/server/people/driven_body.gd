@@ -6,13 +6,13 @@ extends RefCounted
 var ragdoll: Ragdoll = null
 ## The newest sample, or null.
 var newest: PoseSample = null
-## Where the person's own origin is in the frame of its motor.
+## Position of the person's own origin in the frame of its motor, m.
 var origin: Vector3 = Vector3.ZERO
 ## Scales the wearer's travel to the body's build.
 var scale: float = 1.0
 
 
-## Has the motion begin anew at a start position: the wearer's own frame is turned there.
+## Begins the motion anew at a start position: the wearer's own frame is turned there.
 func stand_at(p_start: Transform3D) -> void:
 	var turn: Basis = p_start.basis
 	origin = p_start.origin

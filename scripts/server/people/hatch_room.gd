@@ -1,26 +1,26 @@
 class_name HatchRoom
 extends RefCounted
-## Keeps the upper body of somebody who stands in a hatch out of the steel around it.
+## Keeps the upper body of a person who stands in a hatch out of the steel around it.
 ##
-## What the wearer's arm does below the rim, beside the hatch, the body's does on the roof; whoever
-## ducks folds the arms and bends no further than the well is wide. Without it, joints press limbs
-## into the roof as hard as they can, and arms that swing are caught.
+## An arm that the wearer holds below the rim is raised above the roof; a person who ducks folds the
+## arms and bends no further than the hatch is wide. Without this class joints would press limbs
+## into the roof with full strength, and swinging arms would be caught.
 
 ## How high elbows, wrists and fingers stay above the roof, m.
 const CLEARANCE_M: float = 0.08
-## From the middle of the hatch so much less than its radius there is room for arms, m; at the
-## second one there is none.
-const _FREE_M: float = 0.15
-const _FULL_M: float = 0.04
+## Distance from the hatch's edge inwards, m: at the first one arms have room, at the second one
+## none.
+const _FREE_MARGIN_M: float = 0.15
+const _BLOCKED_MARGIN_M: float = 0.04
 ## From the wrist to the finger tips, m.
 const _HAND_M: float = 0.18
-## Half the depth of a trunk at the rim, and of shoulders that are below it, m.
+## Half the depth of a trunk at the rim, and of shoulders below it, m.
 const _TRUNK_M: float = 0.18
 const _SHOULDERS_M: float = 0.29
-## An arm is not turned higher than this, as the sine of its elevation.
-const _STEEPEST: float = 0.95
+## Greatest elevation of an arm, as a sine.
+const _MAX_SINE: float = 0.95
 ## Elevation of lower arms that are folded, rad.
-const _FOLDED: float = 1.35
+const _FOLDED_ELEVATION: float = 1.35
 const _SIDES: Array[int] = [Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM]
 ## Trunk and head.
 const _TRUNK: Array[int] = [Limbs.HIPS, Limbs.SPINE, Limbs.CHEST, Limbs.HEAD]
@@ -42,8 +42,8 @@ func _init(p_profile: RagdollProfile) -> void:
 		_offsets[limb] = turn * (own.anchor - above.anchor)
 
 
-## Changes a sample of somebody who stands on the seat: [param p_hips] is where the hips are above
-## its middle, m; [param p_folded] says how far the arms are folded, 0 to 1.
+## Changes a sample of a person who stands on the seat: [param p_hips] is the height of the hips
+## above its middle, m; [param p_folded] says how far the arms are folded, 0 to 1.
 func fit(p_sample: PoseSample, p_hips: Vector3, p_hold: SeatHold, p_folded: float) -> void:
 	_straighten(p_sample, p_hips, p_hold.rim, p_hold.hatch_radius, p_folded)
 	var height: float = p_hold.rim + p_hold.cupola + CLEARANCE_M
@@ -62,8 +62,8 @@ func _chest(p_sample: PoseSample, p_hips: Vector3) -> Vector3:
 	return spine + p_sample.orientation(Limbs.SPINE) * _offsets[Limbs.CHEST]
 
 
-## Hips below the rim leave the trunk so much room to lean as there is beside it at the rim; whoever
-## ducks takes the shoulders through it.
+## Hips below the rim leave the trunk as much room to lean as there is beside it at the rim; a
+## person who ducks takes the shoulders through it.
 func _straighten(
 	p_sample: PoseSample, p_hips: Vector3, p_rim: float, p_radius: float, p_folded: float
 ) -> void:
@@ -87,20 +87,22 @@ func _straighten(
 		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
 
 
-## Turns an arm, by a share, to where it needs no room: it hangs, the lower arm is in front of it.
+## Turns an arm, by a share, to the pose that needs no room: it hangs, with the lower arm in front.
 func _fold(p_sample: PoseSample, p_upper: int, p_share: float) -> void:
 	var along: Vector3 = Limbs.RESET_DIRECTIONS[p_upper]
 	var facing: Quaternion = SeatedPose.facing_of(p_sample.orientation(Limbs.CHEST))
 	var down: Vector3 = Vector3(0.05 * along.x, -1.0, 0.0).normalized()
 	var hangs: Quaternion = facing * Quaternion(along, down)
-	var ahead: Vector3 = Vector3(-0.3 * along.x * cos(_FOLDED), sin(_FOLDED), cos(_FOLDED))
+	var ahead: Vector3 = Vector3(
+		-0.3 * along.x * cos(_FOLDED_ELEVATION), sin(_FOLDED_ELEVATION), cos(_FOLDED_ELEVATION)
+	)
 	var bent: Quaternion = facing * Quaternion(along, ahead.normalized())
 	p_sample.set_orientation(p_upper, p_sample.orientation(p_upper).slerp(hangs, p_share))
 	for limb: int in [p_upper + 1, p_upper + 2]:
 		p_sample.set_orientation(limb, p_sample.orientation(limb).slerp(bent, p_share))
 
 
-## [param p_roof]: height that must be reached, radius of the hatch, share of it all.
+## [param p_roof]: height to reach, radius of the hatch, share of the whole correction.
 func _lift(p_sample: PoseSample, p_upper: int, p_shoulder: Vector3, p_roof: Vector3) -> void:
 	var lower: int = p_upper + 1
 	var hand: int = p_upper + 2
@@ -124,10 +126,10 @@ func _lift(p_sample: PoseSample, p_upper: int, p_shoulder: Vector3, p_roof: Vect
 	p_sample.set_orientation(hand, turn * p_sample.orientation(hand))
 
 
-## How much a point is where the roof is, 0 to 1.
+## How far a point is over the roof, 0 to 1.
 static func _share(p_point: Vector3, p_roof: Vector3) -> float:
 	var across: float = Vector2(p_point.x, p_point.z).length()
-	return p_roof.z * smoothstep(p_roof.y - _FREE_M, p_roof.y - _FULL_M, across)
+	return p_roof.z * smoothstep(p_roof.y - _FREE_MARGIN_M, p_roof.y - _BLOCKED_MARGIN_M, across)
 
 
 ## The turn that raises the end of a limb to a height, by a share.
@@ -137,7 +139,7 @@ static func _raise(p_way: Vector3, p_end: Vector3, p_share: float, p_height: flo
 	if lift <= 0.0 or length < 0.01:
 		return Quaternion.IDENTITY
 	var from: Vector3 = p_way / length
-	var up: float = minf(from.y + lift / length, maxf(_STEEPEST, from.y))
+	var up: float = minf(from.y + lift / length, maxf(_MAX_SINE, from.y))
 	var across: Vector3 = Vector3(from.x, 0.0, from.z)
 	if across.length() < 0.01:
 		return Quaternion.IDENTITY

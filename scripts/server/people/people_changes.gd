@@ -1,15 +1,15 @@
 class_name PeopleChanges
 extends RefCounted
-## Which people there are to be, and the way there: bodies are made and removed a little in each
-## tick, so that nobody who comes, goes or grows costs the others anything.
+## Brings the people on the server to those who are wanted: bodies are made and removed a little in
+## each tick, so that no change delays a tick.
 
-## Somebody's body is made: it is in the tree, at its position, and started. Its joints are as
-## [method Ragdoll.get_joints] has them.
+## A body has been made: it is in the tree, at its position, and started. Its joints are as [method
+## Ragdoll.get_joints] has them.
 signal made(p_key: int, p_wanted: Wanted, p_ragdoll: Ragdoll, p_joints: PersonSkeleton)
-## Somebody's body is to go now: [method discard] takes it.
+## A body has to go now: [method discard] takes it.
 signal left(p_key: int)
 
-## People that a server has room for by default: as many as two cores simulate in real time.
+## Default of the maximum of people: as many as two cores simulate in real time.
 const DEFAULT_MAX: int = 128
 
 ## Maximum of people of all sessions.
@@ -24,7 +24,7 @@ var _start_of: Callable = Callable()
 var _wanted: Dictionary[int, Wanted] = {}
 ## The card of each body that is there.
 var _present: Dictionary[int, PersonCard] = {}
-## Whose body is to be made or removed, in the order in which that was asked for.
+## People whose bodies are to be made or removed, in the order of the requests.
 var _due: Dictionary[int, bool] = {}
 
 
@@ -48,13 +48,13 @@ func prepare() -> void:
 	_workshop.prepare()
 
 
-## Somebody's number: of which session, and which of its people.
+## The key of a person: its session, and its index among the session's people.
 static func key_of(p_session: int, p_index: int) -> int:
 	return p_session * PersonCard.MAX_PEOPLE + p_index
 
 
-## Says whom a session has from now on. Returns how many of them there is no room for.
-## [param p_name] is for those who have no name.
+## Sets the people of a session. Returns how many of them there is no room for. [param p_name] is
+## for people without a name.
 func take_list(p_session: int, p_cards: Array[PersonCard], p_name: String) -> int:
 	var listed: Dictionary[int, PersonCard] = {}
 	for card: PersonCard in p_cards:
@@ -72,7 +72,7 @@ func take_list(p_session: int, p_cards: Array[PersonCard], p_name: String) -> in
 	return refused
 
 
-## Who is wanted under a number, or null.
+## The person who is wanted under a number, or null.
 func wanted(p_key: int) -> Wanted:
 	return _wanted.get(p_key)
 
@@ -90,7 +90,7 @@ func is_settled() -> bool:
 ## Does what fits into a tick.
 func advance() -> void:
 	budget.begin()
-	# First of all, so that a flood of changes cannot fill the memory.
+	# First of all: a flood of changes must not fill the memory.
 	if _workshop.waste_count() > 0:
 		budget.do(&"free", _workshop.tidy)
 	while not _due.is_empty():
@@ -103,8 +103,8 @@ func advance() -> void:
 	budget.end()
 
 
-## Makes a body for the stock, which takes a millisecond: call it where no tick waits for it. Where
-## nobody does, those who come wait for theirs a little longer.
+## Makes a body for the stock, which takes a millisecond: call it where no tick waits for it.
+## Without a stock people wait a little longer for their bodies.
 func restock() -> void:
 	_workshop.restock()
 

@@ -1,7 +1,7 @@
 class_name PeopleLists
 extends RefCounted
-## How often clients may say whose motion they send: of each session one list in a while counts, and
-## that is the last one. The first counts at once.
+## Limits how often clients may change their list of people: of each session one list per period
+## counts, the last one. The first counts at once.
 
 ## Time from a list that counts to the next one, s.
 const PERIOD_S: float = MessageRates.PEOPLE_PERIOD_S

@@ -1,13 +1,13 @@
 class_name PersonFields
 extends RefCounted
-## Tells clients, by fields of a person's entity, what carries the person, how its own frame is
-## turned, and how far its body is held back.
+## Sets the fields of a person's entity: what carries the person, the heading of its own frame, and
+## its tether.
 
-## So many ticks apart it is looked at what changes by itself.
+## Ticks between two looks at what changes by itself.
 const _PERIOD_TICKS: int = 12
 ## A tether that is shorter than this is none, m.
 const _MIN_TETHER_M: float = 0.1
-## A frame that turns by more than this between two looks is still on its way, rad.
+## Turn of a frame between two looks that means that it still turns, rad.
 const _STEADY: float = 0.002
 
 var _encoder: SnapshotEncoder = null
@@ -49,8 +49,8 @@ func forget(p_person: int) -> void:
 	_sent.erase(p_person)
 
 
-## A platform has turned the person's frame: told once it is at rest, as the wearer's own view
-## begins anew with it.
+## A platform has turned the person's frame: clients get it once the frame is at rest, as the
+## wearer's view jumps with it.
 func _follow_heading(p_person: ServerPerson) -> void:
 	var heading: float = _heading_of(p_person)
 	var is_steady: bool = _is_near(heading, _headings.get(p_person.id, heading))

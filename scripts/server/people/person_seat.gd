@@ -1,9 +1,9 @@
 class_name PersonSeat
 extends RefCounted
-## Somebody in a [Seat]: the way in, the frame that goes with the seat, the hold of the hips, and
+## A person in a [Seat]: the way in, the frame that moves with the seat, the hold of the hips, and
 ## the way out.
 ##
-## Places are in the frame of the seat's body, m.
+## Positions are in the frame of the seat's body, m.
 
 enum Phase {
 	## On the way in.
@@ -16,26 +16,26 @@ enum Phase {
 	GONE,
 }
 
-## How long a way takes at most, s, and how fast feet go along it, m/s.
-const WAY_S: float = 2.0
-const WAY_SPEED: float = 2.5
-## Who is not there after so much more time, s, is put there.
-const PATIENCE_S: float = 1.0
-## Hips that are within this of their place have come, m.
+## Longest time of a way in or out, s, and speed of the feet along it, m/s.
+const MAX_CLIMB_S: float = 2.0
+const CLIMB_SPEED: float = 2.5
+## Time after the end of the way after which a person who has not arrived is put there, s.
+const MAX_DELAY_S: float = 1.0
+## Distance at which the hips count as arrived, m.
 const ARRIVED_M: float = 0.08
-## Nobody climbs from further away than this, m: who sits down from there is there at once.
-const FURTHEST_M: float = 12.0
-## Force that moves somebody who climbs, N: of the person's own feet and hands, the vehicle does not
-## feel it.
-const FORCE: float = 6000.0
-## How many times the forces of a seat act on hips that have left the room that they have.
-const STRONG: float = 5.0
-## How far hips may be outside of their room until then, m.
+## Distance from the seat beyond which a person does not climb but is put there at once, m.
+const MAX_CLIMB_M: float = 12.0
+## Greatest force on a climbing person, N: it stands for the person's own feet and hands, and the
+## vehicle does not feel it.
+const MAX_CLIMB_FORCE: float = 6000.0
+## Factor on a seat's forces while the hips are outside of their room.
+const RETURN_FACTOR: float = 5.0
+## Distance outside of their room that the hips may have until then, m.
 const SLACK_M: float = 0.03
-## How long the hips take to follow the motion's, s.
+## Time constant with which the hips follow the motion's, s.
 const SMOOTH_S: float = 0.03
-## A seat that turns by more than this in a step (rad) has been put so.
-const _JUMP: float = 0.2
+## Turn of the seat in a step from which on it counts as teleported, rad.
+const _TELEPORT_RAD: float = 0.2
 
 ## What the phase is.
 var phase: Phase = Phase.COMING
@@ -48,10 +48,10 @@ var _body: PhysicsBody3D = null
 var _person: DrivenBody = null
 var _joint: SeatJoint = null
 var _neighbours: Array[RID] = []
-## The person's own frame in that of the seat.
+## Transform of the person's own frame in that of the seat.
 var _offset: Transform3D = Transform3D.IDENTITY
 var _seat_before: Transform3D = Transform3D.IDENTITY
-## Points of the feet on the way; the seat's own follow.
+## Positions of the feet on the path; the seat's own points follow.
 var _way: PackedVector3Array = []
 var _from: Transform3D = Transform3D.IDENTITY
 var _time_s: float = 0.0
@@ -66,7 +66,7 @@ var _room: HatchRoom = null
 var _before: Dictionary[StringName, float] = {}
 
 
-## Somebody takes a seat of a body. [param p_is_inside]: out of another seat of it.
+## A person takes a seat of a body. [param p_is_inside]: out of another seat of it.
 func _init(
 	p_person: DrivenBody, p_seat: SeatGeometry, p_body: PhysicsBody3D, p_is_inside: bool
 ) -> void:
@@ -92,9 +92,9 @@ func _init(
 	var feet: Vector3 = _target - _seat_before.basis.y * _hips.y
 	_from.origin = feet
 	_frame = _from
-	# The motion goes on in another frame: of the one before nothing must remain.
+	# The motion goes on in another frame: nothing of the one before may remain.
 	p_person.ragdoll.motor.clear_motion()
-	var is_far: bool = _target.distance_to(_seat_before.origin) > FURTHEST_M
+	var is_far: bool = _target.distance_to(_seat_before.origin) > MAX_CLIMB_M
 	var way: PackedVector3Array = p_seat.way_in(feet)
 	if is_far or way.is_empty():
 		_sit()
@@ -108,7 +108,7 @@ func _init(
 	_meet([])
 
 
-## Begins the way out. Returns false where there is none: who sat there is out at once.
+## Begins the way out. Returns false where there is none: the person is then out at once.
 func leave(p_is_free: Callable) -> bool:
 	if hold == null or phase == Phase.GONE or not is_instance_valid(seat):
 		return false
@@ -137,7 +137,7 @@ func advance(p_delta_s: float) -> Transform3D:
 		now = seat.frame_in_body()
 	var next: Transform3D = now * (_seat_before.affine_inverse() * now)
 	var turn: Basis = _seat_before.basis.inverse() * now.basis
-	if turn.get_rotation_quaternion().get_angle() > _JUMP:
+	if turn.get_rotation_quaternion().get_angle() > _TELEPORT_RAD:
 		next = now
 	_seat_before = now
 	_time_s += p_delta_s
@@ -162,13 +162,13 @@ func pull(p_delta_s: float) -> void:
 	if _place.advance(_root(), p_delta_s):
 		_meet([] if _place.is_ducked else _limbs_that_meet())
 	var at: Vector3 = hips_in_seat()
-	# A chair's own origin is where the hips are, as is that of the room that they have.
-	var more: float = STRONG if _place.nearest(at).distance_to(at) > SLACK_M else 1.0
+	# The origin of a chair is where the hips are, and so is that of the hips' room.
+	var more: float = RETURN_FACTOR if _place.nearest(at).distance_to(at) > SLACK_M else 1.0
 	var up: float = hold.support_force * more
 	_joint.pull(from, _target, hold.side_force * more, up, hold.down_force * more, p_delta_s)
 
 
-## Takes the wearer's place in the person's own frame, m; returns that of the body in it.
+## Takes the wearer's position in the person's own frame, m; returns that of the body.
 func place_of(p_root: Vector3) -> Vector3:
 	if hold == null or phase == Phase.GONE:
 		return p_root
@@ -190,7 +190,7 @@ func hips_in_seat() -> Vector3:
 	return _seat_before.affine_inverse() * _hips_place()
 
 
-## Ends it: before person or body go.
+## Ends it: call it before person or body are freed.
 func release() -> void:
 	phase = Phase.GONE
 	if _before.is_empty():
@@ -211,7 +211,7 @@ func _begin() -> void:
 	var motor: RagdollMotor = _person.ragdoll.motor
 	_before = {&"root_mode": float(motor.root_mode), &"root_force": motor.root_force}
 	motor.root_mode = RagdollMotor.ROOT_SOFT
-	motor.root_force = FORCE
+	motor.root_force = MAX_CLIMB_FORCE
 	_body.tree_exiting.connect(release)
 	_neighbours = seat.neighbours()
 
@@ -227,16 +227,16 @@ func _end_hold() -> void:
 		_joint.release()
 	_joint = null
 	if _person.ragdoll != null and _person.ragdoll.motor != null:
-		_person.ragdoll.motor.root_force = FORCE
+		_person.ragdoll.motor.root_force = MAX_CLIMB_FORCE
 
 
 ## The way is done: the hold begins where the hips are near enough.
 func _arrive() -> void:
 	if _hips_place().distance_to(_target) < ARRIVED_M:
 		_sit()
-	elif _time_s > _duration_s + PATIENCE_S:
+	elif _time_s > _duration_s + MAX_DELAY_S:
 		_sit()
-		# Something holds the body back: it is put there with the next sample.
+		# Something holds the body back: the next sample puts it there.
 		_person.ragdoll.motor.clear_motion()
 
 
@@ -248,7 +248,7 @@ func _sit() -> void:
 	_begin_hold()
 
 
-## The frame on a way, before the seat's one at the step's end.
+## The person's frame on the way, before the seat's one at the end of the step.
 func _climb(p_seat: Transform3D) -> Transform3D:
 	var path: PackedVector3Array = _path()
 	var share: float = clampf(_time_s / maxf(_duration_s, 0.01), 0.0, 1.0)
@@ -272,7 +272,8 @@ func _path() -> PackedVector3Array:
 	return path
 
 
-## Turns the wearer so that whoever sits down looks ahead, whichever way that is in reality.
+## Turns the wearer so that the person looks ahead in the seat, whichever direction the wearer
+## faces.
 func _facing() -> Basis:
 	if _person.newest == null:
 		return Basis.IDENTITY
@@ -280,7 +281,7 @@ func _facing() -> Basis:
 	return Basis(facing.inverse())
 
 
-## Where the motion has the hips in the person's own frame, m, above the wearer's floor.
+## Position of the motion's hips in the person's own frame, m, above the wearer's floor.
 func _root() -> Vector3:
 	var start: Vector3 = Vector3(_person.origin.x, 0.0, _person.origin.z)
 	if _person.newest == null:
@@ -326,7 +327,7 @@ func _meet(p_limbs: Array) -> void:
 				PhysicsServer3D.body_add_collision_exception(bodies[limb], other)
 
 
-## Who is inside meets nothing.
+## A person inside collides with nothing.
 func _enclose(p_is_inside: bool) -> void:
 	for body: RID in _person.ragdoll.get_bodies():
 		PhysicsServer3D.body_set_collision_layer(body, 0 if p_is_inside else PhysicsLayers.PEOPLE)
@@ -334,7 +335,7 @@ func _enclose(p_is_inside: bool) -> void:
 
 
 func _duration_of(p_path: PackedVector3Array) -> float:
-	return clampf(_length(p_path) / WAY_SPEED, 0.3, WAY_S)
+	return clampf(_length(p_path) / CLIMB_SPEED, 0.3, MAX_CLIMB_S)
 
 
 static func _length(p_path: PackedVector3Array) -> float:

@@ -1,7 +1,7 @@
 class_name RagdollWorkshop
 extends RefCounted
-## Makes [Ragdoll]s of people's sizes and does away with those that are no longer needed, part by
-## part: each part takes some tenths of a millisecond, so that no tick has to wait.
+## Makes and frees [Ragdoll]s of people's sizes, part by part: each part takes some tenths of a
+## millisecond, so that no tick has to wait.
 ##
 ## Some new ones of the default avatar are always in stock, as to make an instance of a scene is the
 ## longest part. None is used twice: a scene's scripts know only one wearer.
@@ -41,8 +41,8 @@ func prepare() -> void:
 		pass
 
 
-## Begins to make the ragdoll of a person. [code]func() -> Transform3D[/code] says where it is to be
-## and which way it faces, m: it is asked when the ragdoll gets into the world.
+## Begins to make the ragdoll of a person. [code]func() -> Transform3D[/code] returns its transform,
+## m: it is called when the ragdoll enters the world.
 func begin(p_card: PersonCard, p_root_mode: RagdollMotor.RootMode, p_start: Callable) -> void:
 	drop()
 	card = p_card

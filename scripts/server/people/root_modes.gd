@@ -1,6 +1,6 @@
 class_name RootModes
 extends RefCounted
-## What --root can be: how people's bodies are held where their motion has them.
+## The values of --root: how a body is held at the position of its motion.
 
 ## By their names: grounded people stand on their own feet; inertial finds travel from the feet,
 ## as a suit without positions needs it.

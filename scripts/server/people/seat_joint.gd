@@ -1,14 +1,14 @@
 class_name SeatJoint
 extends RefCounted
-## Holds a person's hips to a moving body by a joint with limited forces: what pulls the person
-## pushes the body back.
+## Holds a person's hips to a moving body by a joint with limited forces: the forces act on the body
+## in return.
 ##
-## All places and velocities are in the body's frame: m, m/s.
+## All positions and velocities are in the body's frame: m, m/s.
 
 const _AXES: Array[Vector3.Axis] = [Vector3.AXIS_X, Vector3.AXIS_Y, Vector3.AXIS_Z]
 ## How fast errors are corrected, 1/s.
 const _GAIN: float = 30.0
-## What the forces have to move, kg, for the speed at which they can still brake.
+## Mass that the forces have to move, kg: it gives the speed at which they can still brake.
 const _MASS: float = 80.0
 const _GRAVITY: float = 9.8
 
@@ -53,9 +53,9 @@ func place() -> Vector3:
 	return _state(_body).transform.affine_inverse() * (hips * _offset)
 
 
-## Pulls the hips for a step of a length, s: they are to be at a place at its begin and at another
-## at its end. [param p_up] holds while they are carried, [param p_down] while they are held down,
-## N.
+## Pulls the hips for a step of a length, s: from a position at its beginning to another at its end.
+## [param p_up] is the greatest force that carries them, [param p_down] the greatest that holds them
+## down, N.
 func pull(
 	p_from: Vector3, p_to: Vector3, p_side: float, p_up: float, p_down: float, p_delta_s: float
 ) -> void:
@@ -66,7 +66,7 @@ func pull(
 	var fastest: float = sqrt(2.0 * maxf(strongest, 1.0) * absf(error.y))
 	var velocity: Vector3 = (p_to - p_from) / p_delta_s + across
 	velocity.y += clampf(error.y * _GAIN, -fastest, fastest)
-	# What falls by itself needs no force: only what is to fall faster is held down.
+	# Gravity needs no force: only hips that have to sink faster are pulled down.
 	var falls: float = _velocity().y - _GRAVITY * p_delta_s
 	_set_forces(Vector3(p_side, p_up if velocity.y > falls else p_down, p_side))
 	for axis: Vector3.Axis in _AXES:

@@ -1,19 +1,19 @@
 class_name SeatedPose
 extends RefCounted
-## Gives a wearer's motion the legs, and the arms, of somebody who stands in a hatch or sits: in
-## reality the wearer may do something else for which there is no room in the vehicle.
+## Replaces the legs, and the arms, of a wearer's motion by those of a person who stands in a hatch
+## or sits: the vehicle has no room for what the wearer does.
 
-## How far thighs and shins of somebody who sits are bent from hanging down, rad.
+## Angles of thighs and shins of a sitting person from hanging down, rad.
 const _THIGH: float = 1.45
 const _SHIN: float = 0.05
-## How arms hang that rest: to the side, and the lower arms forward, rad.
+## Angles of resting arms: upper arms to the side, lower arms forward, rad.
 const _ARM_DOWN: float = 1.25
 const _ELBOW: float = 1.1
-## Legs are never quite straight.
-const _STRAIGHT: float = 0.995
+## Least bend of a leg: legs are never quite straight.
+const _MIN_BEND: float = 0.995
 
 
-## A copy of a sample with the limbs that a hold says. [param p_height] is how high the hips are
+## A copy of a sample with the limbs that a hold names. [param p_height] is the height of the hips
 ## above the soles, m; [param p_lengths] are those of [method lengths_of].
 static func fit(
 	p_sample: PoseSample, p_hold: SeatHold, p_height: float, p_lengths: Vector3
@@ -36,11 +36,11 @@ static func fit(
 	return fitted
 
 
-## Which way a limb of the trunk faces: the part of its rotation about the vertical.
+## Heading of a limb of the trunk: the part of its rotation about the vertical.
 static func facing_of(p_turn: Quaternion) -> Quaternion:
 	var ahead: Vector3 = p_turn * Vector3.BACK
 	if Vector2(ahead.x, ahead.z).length() < 0.3:
-		# Bent over or lying: the head's end says which way.
+		# The trunk is bent over or lies: the end of the head gives the heading.
 		ahead = (p_turn * Vector3.UP) * -signf(ahead.y)
 	return Quaternion(Vector3.UP, atan2(ahead.x, ahead.z))
 
@@ -64,7 +64,7 @@ static func _bent(p_height: float, p_lengths: Vector3) -> Vector2:
 	var thigh: float = p_lengths.x
 	var shin: float = p_lengths.y
 	var reach: float = clampf(
-		p_height - p_lengths.z, 0.35 * (thigh + shin), _STRAIGHT * (thigh + shin)
+		p_height - p_lengths.z, 0.35 * (thigh + shin), _MIN_BEND * (thigh + shin)
 	)
 	var up: float = (thigh * thigh + reach * reach - shin * shin) / (2.0 * thigh * reach)
 	var down: float = (shin * shin + reach * reach - thigh * thigh) / (2.0 * shin * reach)

@@ -20,7 +20,7 @@ const _SETTLING: int = 2
 
 ## How people's travel is found and how their hips follow.
 var root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
-## What people are shown as who choose no avatar: the level's. Who is here already stays as he is.
+## Avatar of people who choose none: the level's. Those who are here keep theirs.
 var default_avatar: String = ""
 ## The server's tick.
 var tick: int = 0
@@ -35,10 +35,10 @@ var _points: Array[Transform3D] = []
 var _avatars: PackedStringArray = PackedStringArray()
 ## Ticks until the bodies of a new level are in the physics space; 0: they are.
 var _settling: int = 0
-## The numbers of those who belong to the server count down from here.
+## Numbers of people who belong to the server count down from here.
 var _enlisted: int = 0
 var _plain_type: EntityType = EntityType.person()
-## What somebody needs who stands up somewhere.
+## Shape that must be free where a person is to stand, such as beside a seat.
 var _standing_room: CapsuleShape3D = CapsuleShape3D.new()
 
 
@@ -59,14 +59,14 @@ func setup(p_table: EntityTable, p_max_people: int = PeopleChanges.DEFAULT_MAX) 
 func _exit_tree() -> void:
 	if changes != null:
 		changes.close()
-	# A person and a seat hold each other.
+	# A person and a seat refer to each other.
 	for person: ServerPerson in _people.values():
 		person.let_go()
 
 
-## Gives a session the bodies of these people, and takes away those whom it no longer lists: as
-## [method advance] comes to it. Returns how many of them there is no room for.
-## [param p_name] is for those who have no name.
+## Sets the people of a session, and removes those whom it no longer lists, in the next calls of
+## [method advance]. Returns how many of them there is no room for. [param p_name] is for people
+## without a name.
 func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> int:
 	for card: PersonCard in p_cards:
 		if card.avatar == "":
@@ -80,10 +80,9 @@ func set_people(p_session: int, p_cards: Array[PersonCard], p_name: String) -> i
 	return refused
 
 
-## Gives the server itself somebody, such as an opponent, who belongs to no client. Returns a number
-## that takes the place of a session's in [method push_sample] and [method remove], or 0 where there
-## is no room. The body comes as [method advance] comes to it, and counts among the most that there
-## may be.
+## Adds a person who belongs to the server and to no client, such as an opponent. Returns a number
+## that stands for a session's in [method push_sample] and [method remove], or 0 where there is no
+## room. [method advance] makes the body, which counts towards the maximum.
 func enlist(p_card: PersonCard, p_name: String) -> int:
 	p_card.index = 0
 	_enlisted -= 1
@@ -95,7 +94,7 @@ func advance() -> void:
 	if _settling > 0:
 		_settling -= 1
 		if _settling == 0:
-			# What is in the way is known only now.
+			# Only now it is known what is in the way.
 			_positions.set_points(_points, get_world_3d().direct_space_state, _avatars)
 			_stand_up()
 	changes.advance()
@@ -185,8 +184,8 @@ func enter(p_points: Array[Transform3D], p_avatars: PackedStringArray = []) -> v
 	_stand_up()
 
 
-## Has a seat of an entity carry the people of a session: the first of them, if the seat holds
-## bodies, or all.
+## Has a seat of an entity carry the people of a session: the first of them if the seat holds
+## bodies, else all.
 func attach(p_session: int, p_entity: int, p_carrier: PhysicsBody3D, p_seat: SeatGeometry) -> void:
 	for person: ServerPerson in _of_session(p_session):
 		# Some sit already when others of the session come; some are still on the way out.
@@ -321,7 +320,8 @@ func _upright(p_person: ServerPerson, p_frame: Transform3D) -> Transform3D:
 	return Transform3D(turn, feet - turn * Vector3(root.x, p_person.origin.y, root.z))
 
 
-## Whether somebody could stand at a place in a body's frame: there is ground, and nothing above it.
+## Whether a person could stand at a position in a body's frame: there is ground, and nothing above
+## it.
 func _is_free(p_place: Vector3, p_body: PhysicsBody3D) -> bool:
 	var space: PhysicsDirectSpaceState3D = get_world_3d().direct_space_state
 	var at: Vector3 = p_body.global_transform * p_place

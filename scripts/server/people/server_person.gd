@@ -2,10 +2,11 @@ class_name ServerPerson
 extends DrivenBody
 ## One of the people on the server: the body, and the motion that drives it.
 
-# Old samples in a row that are worth a log line, and that mean a new clock.
+# Numbers of old samples in a row after which a line is logged, and after which the wearer's clock
+# counts as set back.
 const _LATE: int = 5
 const _NEW_CLOCK: int = 30
-# Longest stage of a sample's latency that a latency mark can hold, µs.
+# Longest stage that a latency mark can hold, µs.
 const _MAX_STEP_USEC: int = 655000
 
 ## Number of its entity.
@@ -20,7 +21,7 @@ var name: String = ""
 var entity: Entity = null
 ## The body's joints.
 var joints: PersonSkeleton = null
-## Tells which moment of the motion is now.
+## Decides which moment of the motion a tick shows.
 var clock: SampleClock = SampleClock.new()
 ## Moment of the motion that the last step ended at, s in the wearer's clock.
 var moment_s: float = 0.0
@@ -30,8 +31,8 @@ var carrier: PhysicsBody3D = null
 var carrier_id: int = -1
 ## See [member carrier].
 var seat: Transform3D = Transform3D.IDENTITY
-## Whether the carrier is only what the person stands or lies on: friction carries, the frame is
-## that of the wire alone.
+## Whether the person only stands or lies on the carrier: friction carries, and only the wire uses
+## the carrier's frame.
 var rides: bool = false
 ## The seat that the person takes, sits in or leaves, or null.
 var sitting: PersonSeat = null
@@ -59,15 +60,15 @@ func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 	refused += 1
 	refused_in_a_row += 1
 	if refused_in_a_row == _LATE:
-		# A few are the network's fault, where datagrams overtake each other.
+		# Some are late because datagrams overtake each other in the network.
 		var parts: Array = [name, _LATE]
 		Log.limited("server", "sample %d" % session, "'%s' sent %d old samples in a row" % parts)
 	if refused_in_a_row >= _NEW_CLOCK:
-		# Not some late datagrams, but a wearer whose clock was set back.
+		# More than some late datagrams: the wearer's clock was set back.
 		ragdoll.motor.clear_motion()
 
 
-## Moves the own frame to where the carrier will be after a step of this length, s.
+## Moves the own frame to where the carrier will be at the end of a step of this length, s.
 func follow_carrier(p_delta_s: float) -> void:
 	if rides:
 		return
@@ -84,7 +85,7 @@ func follow_carrier(p_delta_s: float) -> void:
 	ragdoll.motor.set_frame(next * seat)
 
 
-## Ends all that carries the person, wherever that leaves it.
+## Ends the carrying, and leaves the person where that has brought it.
 func let_go() -> void:
 	if sitting != null:
 		sitting.release()
@@ -107,8 +108,8 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 	p_encoder.set_mark(id, newest.id, p_now_usec, steps)
 
 
-## How well the body follows, how late, and how far it is from where its motion has it, m, for a
-## report; of grounded people also the horizontal force from outside, N.
+## How well the body follows, how late, and its distance from its motion, m, for a report; of
+## grounded people also the horizontal residual force, N.
 func stats() -> Dictionary:
 	var made: Dictionary = ragdoll.motor.get_tracking()
 	made["name"] = name

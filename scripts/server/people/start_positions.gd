@@ -23,7 +23,7 @@ var spacing: float = 2.5
 var _points: Array[Transform3D] = [Transform3D.IDENTITY]
 ## The avatar that each point is for; empty: all.
 var _avatars: PackedStringArray = PackedStringArray([""])
-## All positions of the level, in the order in which they are taken, and how many of them are at the
+## All positions of the level, in the order in which they are taken, and how many of them have the
 ## whole distance.
 var _positions: PackedVector3Array = PackedVector3Array()
 var _wide: int = 0
@@ -31,7 +31,7 @@ var _wide: int = 0
 var _point_of: PackedInt32Array = PackedInt32Array()
 var _taken: Dictionary[int, Vector3] = {}
 var _standing: Dictionary[Vector3, bool] = {}
-## Who stands where, by squares of [member spacing].
+## Positions that are taken, by squares of [member spacing].
 var _squares: Dictionary[Vector2i, Array] = {}
 var _room: BoxShape3D = BoxShape3D.new()
 
@@ -76,7 +76,7 @@ func take(p_who: int, p_space: PhysicsDirectSpaceState3D, p_avatar: String = "")
 		number = _find(p_space, func(avatar: String) -> bool: return avatar == "")
 	if number < 0:
 		number = _find(p_space, func(_avatar: String) -> bool: return true)
-	# In a level without any room somebody stands in somebody else, who gives way.
+	# A level without any room: people start inside each other and are pushed apart.
 	var found: Transform3D = _points[0]
 	if number >= 0:
 		found = Transform3D(_points[_point_of[number]].basis, _positions[number])
@@ -115,7 +115,8 @@ func _survey(p_spacing: float, p_space: PhysicsDirectSpaceState3D) -> void:
 		for index: int in _points.size():
 			var point: Transform3D = _points[index]
 			var position: Vector3 = point * (_offset(number) * p_spacing)
-			# To the quarter of the distance: points that are close share their positions.
+			# Rounded to a quarter of the distance: points close to each other share their
+			# positions.
 			var square: Vector2i = Vector2i(
 				(Vector2(position.x, position.z) / (p_spacing / 4.0)).round()
 			)
@@ -127,8 +128,8 @@ func _survey(p_spacing: float, p_space: PhysicsDirectSpaceState3D) -> void:
 				_point_of.append(index)
 
 
-## Of the positions at a point, in distances: from the middle of a rank to both sides; ranks go
-## behind the point and before it in turn.
+## Offsets of the positions at a point, in units of the distance: from the middle of a rank to both
+## sides; ranks go behind the point and before it in turn.
 static func _offset(p_number: int) -> Vector3:
 	return Vector3(_in_turn(p_number % ABREAST), 0.0, -_in_turn(p_number / ABREAST))
 
@@ -164,7 +165,7 @@ func _is_room(p_space: PhysicsDirectSpaceState3D, p_point: Transform3D, p_at: Ve
 	)
 
 
-## Whether something of some layers is where somebody would stand who faces a way.
+## Whether something of some layers is where a person would stand, facing a direction.
 func _is_in(
 	p_space: PhysicsDirectSpaceState3D, p_position: Vector3, p_turn: Basis, p_layers: int
 ) -> bool:

@@ -19,7 +19,7 @@ const CHANGEABLE: PackedStringArray = [
 
 var _options: Options = null
 var _rules: ServerRules = null
-# So many have room in the port that is open.
+# Number of clients that have room in the open port.
 var _room: int = TransportLimits.MIN_CLIENTS
 
 

@@ -3,9 +3,9 @@ extends RefCounted
 ## Sends all clients the entities and their state, each client as much as its share of the network
 ## allows.
 
-## Changes of the table are so many ticks apart: those of a crowd that comes go together.
+## Ticks between two messages with changes of the table: those of a crowd that joins go together.
 const _TABLE_TICKS: int = 3
-## Time of a tick that finding who sees what may take, µs.
+## Time of a tick for finding what can be seen from where, µs.
 const _SURVEY_USEC: int = 2000
 
 ## The encoder, which also has the entities' fields.
@@ -121,7 +121,7 @@ func set_bandwidth(p_bits_per_second: float) -> void:
 		encoder.set_bandwidth(session, p_bits_per_second)
 
 
-## Adds a client, also one that returns: it has no state yet. A rate of 0 means every tick.
+## Adds a client, or one that returns: it has no state yet. A rate of 0 means every tick.
 func add_client(p_session: int, p_rate: int) -> void:
 	remove_client(p_session)
 	_sessions.append(p_session)
@@ -277,7 +277,7 @@ func _on_person_added(p_person: ServerPerson) -> void:
 		var reset: Quaternion = joints.reset_orientations[limb]
 		resets.append_array([reset.x, reset.y, reset.z, reset.w])
 	encoder.add_person(p_person.id, bodies, resets)
-	# Of several people of a client the first one's surroundings count most.
+	# Of a client with several people the surroundings of the first one count most.
 	if p_person.card.index == 0 and _sessions.has(p_person.session):
 		encoder.set_own_person(p_person.session, p_person.id)
 	_on_person_attached(p_person, -1)

@@ -1,13 +1,14 @@
 class_name ServerImpacts
 extends RefCounted
-## Finds what strikes what in the world, for what clients hear: things, vehicles and people.
+## Finds which bodies strike each other in the world, for the sounds at clients: things, vehicles
+## and people.
 ##
 ## Feet are left out: clients hear steps where they see feet touch the ground.
 
 ## Most impacts and scrapes in a second, and at once.
 const RATE: float = 200.0
 const BURST: float = 60.0
-## Groups of bodies that are silent among themselves begin with it: 0 is none.
+## Groups of bodies that make no sound among themselves begin with it: 0 is none.
 const _FIRST_GROUP: int = 1
 
 var _watch: ImpactWatch = ImpactWatch.new()
@@ -22,8 +23,8 @@ func _init(p_level: ServerLevel, p_people: ServerPeople) -> void:
 	p_people.person_added.connect(_on_person_added)
 
 
-## What is to be heard of the step that has just been made, as a message; empty bytes for nothing.
-## Call it once a tick; the tick lasts this long, s.
+## Impacts and scrapes of the last step as a message; empty bytes for none. Call it once a tick,
+## with its length, s.
 func take_message(p_tick: int, p_delta_s: float) -> PackedByteArray:
 	_left = minf(_left + RATE * p_delta_s, BURST)
 	var impacts: Array[Impact] = []

@@ -1,17 +1,17 @@
 class_name TickPacer
 extends RefCounted
-## Lets a server's ticks begin when they are due.
+## Makes a server's ticks begin when they are due.
 ##
 ## Of a program that draws nothing Godot begins a frame every 6.9 ms, and ticks begin with frames:
-## each is late by another part of that, and clients have to wait for the latest. Here frames are
-## spread evenly over the time to the next tick, so that one begins with it.
+## each tick would be late by up to that, and clients would have to wait for the latest. This class
+## spreads frames evenly over the time to the next tick, so that one begins with it.
 
-## Frames are at most so far apart, µs: what is asked between ticks waits no longer.
+## Longest time between frames, µs: questions that arrive between ticks wait no longer.
 const MAX_FRAME_USEC: float = 4200.0
-## A frame begins so long after its tick is due, µs: none is to come just before.
+## Time after a tick is due at which its frame begins, µs: no frame must begin just before.
 const MARGIN_USEC: float = 50.0
 
-## What is done between two ticks begins so long before the next one, µs, or not at all.
+## Time before the next tick until which other work may begin, µs.
 const IDLE_USEC: float = 4000.0
 
 

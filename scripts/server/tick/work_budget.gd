@@ -1,17 +1,17 @@
 class_name WorkBudget
 extends RefCounted
-## How much processor time work that may wait takes of a tick: parts of it are done until the next
-## one would probably be too much.
+## Limits the processor time of a tick that deferred work takes: parts are done until the next one
+## would probably exceed it.
 ##
 ## The time is the thread's own: what other programs take of the processor does not count.
 
 ## Time of a tick that may be spent, µs.
 const USEC: int = 630
-## How much of a kind's mean time, and of how far from it others are, is what the last one took.
+## Weight of the last part in the mean time of its kind, and in the mean deviation.
 const _SHARE: float = 0.125
-## A part is expected to take so many mean deviations more than the mean: seldom more.
+## Expected time of a part: the mean plus so many mean deviations, which is seldom exceeded.
 const _DEVIATIONS: float = 2.0
-## What a part of an unknown kind is expected to take, µs.
+## Expected time of a part of an unknown kind, µs.
 const _UNKNOWN_USEC: float = 500.0
 
 ## What was spent in each tick that had something to do, s.

@@ -1,24 +1,24 @@
 class_name AxisCalibration
 extends RefCounted
-## How an axis of a steering wheel, a stick or a pedal becomes a value: where it rests, how far it
-## goes, and how much of the way nothing happens.
+## Maps the readings of an axis of a steering wheel, stick or pedal to a value: position at rest,
+## both ends, and dead zone.
 
-## Least way of an axis from rest to an end: less is taken for noise.
+## Least travel of an axis from rest to an end; less counts as noise.
 const MIN_WAY: float = 0.15
 
 ## Number of the axis of its device.
 var axis: int = 0
-## What the axis says at rest.
+## Reading at rest.
 var rest: float = 0.0
-## What it says at the end that counts as 1: a wheel fully left, a pedal fully pressed.
+## Reading at the end that counts as 1: a wheel fully left, a pedal fully pressed.
 var high: float = 1.0
-## What it says at the other end, that counts as -1; the same as [member rest] for a pedal.
+## Reading at the end that counts as -1; the same as [member rest] for a pedal.
 var low: float = -1.0
-## Share of the way around rest in which nothing happens, 0 to 0.5.
+## Dead zone around rest, as a share of the travel, 0 to 0.5.
 var dead_zone: float = 0.03
 
 
-## The value of what the axis says now: -1 to 1, of a pedal 0 to 1. What is not a number counts as
+## The value of a reading: -1 to 1, of a pedal 0 to 1. A reading that is not a number counts as
 ## rest.
 func value_of(p_raw: float) -> float:
 	if not is_finite(p_raw):

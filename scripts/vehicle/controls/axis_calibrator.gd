@@ -1,7 +1,7 @@
 class_name AxisCalibrator
 extends RefCounted
-## Finds out which axis of which device a wheel or a pedal is, and how far it goes: the user moves
-## one after the other through its whole way, and everything that moves is watched.
+## Finds out which axis of which device a wheel or pedal is, and its ends: the user moves one
+## control after the other through its whole travel while all axes are watched.
 
 ## What is calibrated.
 enum Kind {
@@ -22,13 +22,13 @@ const INSTRUCTIONS: Dictionary[Kind, String] = {
 
 ## What is watched.
 var kind: Kind = Kind.STEER
-## Name of the device whose axis goes farthest; empty before anything has moved.
+## Name of the device whose axis has moved farthest; empty before anything has moved.
 var device: String = ""
 
 var _watched: Dictionary[String, Way] = {}
 
 
-## The way of an axis since the calibration began.
+## The travel of an axis since the calibration began.
 class Way:
 	## Device and axis.
 	var device: String = ""

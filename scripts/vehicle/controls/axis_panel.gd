@@ -1,7 +1,7 @@
 class_name AxisPanel
 extends CanvasLayer
-## Where a wheel and pedals are calibrated: each control is moved through its whole way, one after
-## the other; bars show what comes of them.
+## Where a wheel and pedals are calibrated: each control is moved through its whole travel, one
+## after the other; bars show what comes of them.
 
 ## The settings have changed.
 signal calibrated
@@ -83,7 +83,7 @@ func begin(p_kind: AxisCalibrator.Kind) -> void:
 	_say.text = AxisCalibrator.INSTRUCTIONS[p_kind] + " Then choose Done."
 
 
-## Keeps what was watched. Returns whether there was anything.
+## Keeps the calibration that was found. Returns whether there was one.
 func finish() -> bool:
 	var found: AxisCalibration = _calibrator.result()
 	if not _is_watching or found == null:

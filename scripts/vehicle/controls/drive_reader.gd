@@ -5,7 +5,7 @@ extends RefCounted
 ##
 ## Keys move the steering gradually, as nobody turns a wheel in an instant.
 
-## Keys turn the steering so fast, 1/s, and it goes back so fast.
+## How fast keys turn the steering, and how fast it returns, 1/s.
 const KEY_STEER_RATE: float = 2.5
 const KEY_RETURN_RATE: float = 5.0
 

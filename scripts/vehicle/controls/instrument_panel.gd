@@ -8,7 +8,7 @@ const _DIM: Color = Color(0.55, 0.6, 0.56)
 const _WARN: Color = Color(1.0, 0.55, 0.2)
 const _HULL: Color = Color(0.6, 0.64, 0.55)
 const _DAMAGE: Array[String] = ["", "DAMAGED", "KNOCKED OUT"]
-## Revolutions at the end of the bar where nothing is known of the engine, 1/min.
+## Full scale of the rev counter where the engine is unknown, 1/min.
 const _MAX_RPM: float = 2800.0
 const _PAD: float = 14.0
 

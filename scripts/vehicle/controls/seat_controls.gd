@@ -7,27 +7,28 @@ extends Node
 
 ## Another view is looked through from now on; null: none, as nobody sits any more.
 signal view_changed(p_view: SeatView)
-## What the screen should tell for a while.
+## A text that the screen shows for a while.
 signal told(p_text: String)
 ## Another seat, or none (null).
 signal seat_changed(p_seat: Seat)
 
-## Commands of a driver and of a gunner who aims are repeated so often, s, that the server knows
-## that somebody is there.
+## Time between two commands of a driver or of a gunner who aims, s: they tell the server that the
+## user is still there.
 const REPEAT_S: float = 0.1
-## A held trigger is told again so often, s: the server lets go of one of which it hears nothing.
+## Time between two commands of a held trigger, s: the server releases a trigger that it hears
+## nothing of.
 const TRIGGER_S: float = 1.0
 ## How far a drag turns the view or the aim, rad for each pixel at magnification 1.
 const MOUSE: float = 0.003
-## Shares of the greatest rate that a gunner's hand asks for, for a turn of the mouse in rad/s.
+## Aiming rates, as shares of the gunner's greatest rate, per rad/s of the mouse.
 const MOUSE_AIM: float = 1.4
 const _LOOK_S: float = 0.1
 
 ## What driver's hands and feet do.
 var reader: DriveReader = DriveReader.new(ControlSettings.new())
-## Whether the user has a body of his own in the world, whose eyes come first.
+## Whether the user has a body in the world, whose eyes are the first view.
 var has_body: bool = false
-## Whether keys and sticks are meant for something else now, such as a menu.
+## Whether keys and sticks are used by something else now, such as a menu.
 var hands_off: bool = false
 ## A list that drives instead of hands and feet; null: none.
 var list: DriveScript = null
@@ -228,7 +229,8 @@ func _send_drive() -> void:
 		_entity.send_command(&"drive", values, command_tick)
 
 
-## Keys and sticks ask for a rate; the mouse for a way, which becomes the rate that goes it at once.
+## Keys and sticks ask for a rate; the mouse asks for an angle, which becomes the rate that covers
+## it in this frame.
 func _send_aim(p_delta: float) -> void:
 	var aim: Vector2 = Vector2(
 		Input.get_axis(&"aim_right", &"aim_left"), Input.get_axis(&"aim_down", &"aim_up")

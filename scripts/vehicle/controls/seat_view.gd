@@ -2,11 +2,11 @@
 @icon("res://scenes/vehicle/icons/vehicle.svg")
 class_name SeatView
 extends Camera3D
-## What somebody sees who sits in a vehicle without a body of his own: out of the hatch, through a
-## periscope or the gunner's sight, or from behind the vehicle.
+## What a user sees who sits in a vehicle without a body: out of the hatch, through a periscope or
+## the gunner's sight, or from behind the vehicle.
 ##
-## It looks along its -Z. It never takes over the screen by itself: the client's camera goes to its
-## place. Put it below what it turns with.
+## It looks along its -Z. It never takes over the screen by itself: the client's camera takes its
+## position. Make it a child of the node that it turns with.
 
 ## What it looks through, and so what is drawn around the picture.
 enum Kind {
@@ -24,9 +24,9 @@ enum Kind {
 const GROUP: StringName = &"seat_views"
 ## After the bodies have been moved, before the client's camera follows it.
 const PRIORITY: int = 5
-## How quickly the chase view follows: the share of the way per second is 1 - e^-value.
+## How quickly the chase view follows: in a second it covers the share 1 - e^-value of its distance.
 const _FOLLOW: float = 4.0
-## From what it keeps away, m.
+## Least distance of the chase view from walls, m.
 const _CLEARANCE_M: float = 0.3
 
 ## What it looks through.
@@ -35,18 +35,18 @@ const _CLEARANCE_M: float = 0.3
 @export var seat: Seat = null
 ## What people call it; empty: the name of the node.
 @export var title: String = ""
-## How many times nearer things can be brought, one after the other.
+## Magnifications that the user can choose, one after the other.
 @export var magnifications: PackedFloat32Array = [1.0]
-## How far one can look to either side.
+## Angle by which the user can look to either side.
 @export_range(0.0, 180.0, 1.0, "radians_as_degrees") var look_yaw: float = 0.0
-## How far one can look up and down.
+## Angle by which the user can look up and down.
 @export_range(0.0, 89.0, 1.0, "radians_as_degrees") var look_pitch: float = 0.0
 ## Of a chase view: how far behind and how high it is.
 @export_custom(PROPERTY_HINT_NONE, "suffix:m") var chase: Vector2 = Vector2(11.0, 4.0)
 
 ## Which of the magnifications is used.
 var step: int = 0
-## Where one looks to besides: x to the left, y up, rad.
+## Direction in which the user looks besides: x to the left, y up, rad.
 var look: Vector2 = Vector2.ZERO
 
 var _rest: Transform3D = Transform3D.IDENTITY
@@ -148,7 +148,7 @@ func _chase(p_delta: float) -> void:
 	look_at_from_position(centre + offset, centre)
 
 
-## As far along a way as nothing static stands there, m.
+## Distance along a direction that is free of static bodies, m.
 func _free_way(p_from: Vector3, p_way: Vector3) -> Vector3:
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		p_from, p_from + p_way, PhysicsLayers.STATIC

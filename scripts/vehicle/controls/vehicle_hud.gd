@@ -1,7 +1,7 @@
 class_name VehicleHud
 extends CanvasLayer
-## What a crew sees besides the view: instruments, the sight's reticle with the range, the slit of a
-## periscope, and the keys of the seat.
+## Shows a crew what it needs besides the view: instruments, the sight's reticle with the range, the
+## slit of a periscope, and the keys of the seat.
 
 ## Farthest range that the sight measures, m, and how often, s.
 const MAX_RANGE_M: float = 3000.0

@@ -57,7 +57,7 @@ func _draw_tube() -> void:
 func _draw_reticle() -> void:
 	var middle: Vector2 = size / 2.0
 	var radius: float = _RADIUS * size.y
-	# A tangent's way on the screen for a milliradian.
+	# Length of a milliradian on the screen.
 	var mrad: float = 0.001 * size.y / 2.0 / tan(deg_to_rad(_view.fov) / 2.0)
 	for way: Vector2 in [Vector2.LEFT, Vector2.RIGHT, Vector2.DOWN, Vector2.UP]:
 		draw_line(middle + way * radius * 0.92, middle + way * mrad, _MARK, 1.5)

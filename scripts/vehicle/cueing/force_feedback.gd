@@ -6,7 +6,7 @@ extends Node
 ## Both follow the motion of [member seat] and the vehicle's [member state]. Without a seat, and
 ## while the tree is paused, everything is still and the wheel belongs to whoever wants it.
 
-# A gamepad is told no more often, and shakes no longer without being told, s.
+# Least time between two commands to a gamepad, and how long it shakes without a new one, s.
 const _RUMBLE_PERIOD_S: float = 0.05
 const _RUMBLE_LASTS_S: float = 0.2
 # With states on both sides of the moment, its motion is steadier.

@@ -32,7 +32,7 @@ var angular_acceleration: Vector3 = Vector3(250.0, 250.0, 250.0)
 @export_range(0.1, 1.0, 0.01) var share: float = 0.7
 
 
-## One of [constant PRESETS]; null where there is none of this name.
+## The parameters of one of [constant PRESETS]; null if there is none of this name.
 ##
 ## [code]small_hexapod[/code]: six electric legs with strokes of 0.15 m, as for one seat.
 ## [code]large_hexapod[/code]: six electric legs with strokes of 0.6 m, as for a cabin.

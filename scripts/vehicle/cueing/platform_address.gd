@@ -1,7 +1,8 @@
 class_name PlatformAddress
 extends RefCounted
-## Where a motion platform is sent its datagrams, and which: [code]HOST:PORT[/code] for our own,
-## [code]HOST:PORT:outsim[/code] or, with an id, [code]HOST:PORT:outsim-7[/code] for OutSim's.
+## The address of a motion platform and the format of its datagrams: [code]HOST:PORT[/code] for our
+## own format, [code]HOST:PORT:outsim[/code] or, with an id, [code]HOST:PORT:outsim-7[/code] for
+## OutSim's.
 
 ## How it is written, for help.
 const FORM: String = "HOST:PORT[:outsim[-ID]]"

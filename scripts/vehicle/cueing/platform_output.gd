@@ -1,11 +1,11 @@
 @icon("res://scenes/vehicle/icons/platform_output.svg")
 class_name PlatformOutput
 extends Node
-## Sends a motion platform what is felt in a seat that moves in the world.
+## Sends a motion platform the motion of a seat in the world.
 ##
 ## It reads the seat's transform once a frame or tick and hands it to a [PlatformSender], whose
-## thread does the rest: nothing here waits. A seat that is freed or null is no news: the platform
-## goes to neutral. So it does while the tree is paused.
+## thread does the rest: nothing here waits. A seat that is freed or null counts as silence: the
+## platform goes to neutral, as it does while the tree is paused.
 
 ## When the seat is looked at.
 enum Source {

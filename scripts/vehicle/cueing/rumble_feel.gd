@@ -9,13 +9,13 @@ extends Resource
 @export_range(0.0, 1.0, 0.01) var revving: float = 0.12
 ## What is added at full load.
 @export_range(0.0, 1.0, 0.01) var loaded: float = 0.14
-## Speed of the engine at which [member revving] is whole.
+## Speed of the engine at which [member revving] has its full strength.
 @export_range(100.0, 20000.0, 10.0, "suffix:1/min") var full_rpm: float = 2600.0
-## Shaking that the strong motor does not show: the noise of level ground.
+## Shaking below which the strong motor is still: level ground.
 @export_range(0.0, 20.0, 0.1, "suffix:m/s²") var smallest_bump: float = 0.6
-## Shaking at which the strong motor does all it can.
+## Shaking at which the strong motor is at its maximum.
 @export_range(0.1, 100.0, 0.1, "suffix:m/s²") var greatest_bump: float = 9.0
-## Jolt at which the strong motor does all it can.
+## Jolt at which the strong motor is at its maximum.
 @export_range(0.1, 500.0, 0.1, "suffix:m/s²") var greatest_jolt: float = 25.0
 
 

@@ -2,9 +2,9 @@ class_name ShakeMeter
 extends RefCounted
 ## How hard a seat shakes, and jolts that fade, from the specific force in it.
 
-# Slower changes are hills and turns, s.
+# Time constant of the high-pass: slower changes are hills and turns, s.
 const _MEAN_S: float = 0.4
-# How quickly shaking is noticed and forgotten, s.
+# Time constants with which shaking rises and falls, s.
 const _SHAKE_S: float = 0.12
 const _JOLT_S: float = 0.1
 # Changes beyond this from the mean are a jolt: a gun fires, something is hit, m/s².

@@ -17,23 +17,23 @@ const _GRAVITY: float = 9.81
 @export_group("Spring", "spring_")
 ## Steepness of the spring at rest.
 @export_range(0.0, 1.0, 0.01) var spring_at_rest: float = 0.08
-## Steepness of the spring far above [member spring_speed].
+## Steepness of the spring well above [member spring_speed].
 @export_range(0.0, 1.0, 0.01) var spring_at_speed: float = 0.55
 ## Speed at which the spring is half way.
 @export_range(0.1, 50.0, 0.1, "suffix:m/s") var spring_speed: float = 6.0
-## Part of the way around the middle without a spring: play in the steering.
+## Play in the steering: share of the wheel's travel around the middle without a spring.
 @export_range(0.0, 0.5, 0.01) var spring_dead_band: float = 0.02
 @export_group("Damper", "damper_")
 ## Resistance to being turned at rest.
 @export_range(0.0, 1.0, 0.01) var damper_at_rest: float = 0.6
-## Resistance far above [member damper_speed].
+## Resistance well above [member damper_speed].
 @export_range(0.0, 1.0, 0.01) var damper_at_speed: float = 0.2
 ## Speed at which it is half way.
 @export_range(0.1, 50.0, 0.1, "suffix:m/s") var damper_speed: float = 1.5
 @export_group("Constant")
 ## Force per g of sideways specific force.
 @export_range(0.0, 2.0, 0.01) var cornering: float = 0.4
-## Where the end stops begin, as part of the wheel's way.
+## Where the end stops begin, as a share of the wheel's travel.
 @export_range(0.5, 1.0, 0.01) var end_stop: float = 0.95
 ## Force at the very end.
 @export_range(0.0, 1.0, 0.01) var end_stop_force: float = 0.9

@@ -36,7 +36,7 @@ extends Resource
 @export_range(0.2, 50.0, 0.1, "suffix:rad/s") var tilt_frequency: float = 2.5
 ## Damping ratio of the low-pass.
 @export_range(0.3, 3.0, 0.01) var tilt_damping: float = 1.0
-## Greatest rate: above some 3 °/s people feel that they are turned.
+## Greatest rate of the tilt: above some 3 °/s people feel it as turning.
 @export_range(0.0, 20.0, 0.1, "suffix:°/s") var tilt_max_rate: float = 3.0
 ## Greatest tilt.
 @export_range(0.0, 45.0, 0.1, "suffix:°") var tilt_max_angle: float = 20.0
@@ -52,13 +52,13 @@ extends Resource
 ## Order of the high-pass: 1 keeps an angle while the vehicle keeps turning, 2 leads back even then.
 @export_range(1, 2, 1) var rotation_order: int = 2
 @export_group("Ramps")
-## So long without news of the vehicle, and the platform leaves for neutral.
+## Time without data of the vehicle after which the platform goes to neutral.
 @export_range(0.01, 60.0, 0.01, "suffix:s") var dead_man: float = 0.2
-## Time to neutral without news or in a pause.
+## Time to go to neutral without data or in a pause.
 @export_range(0.01, 60.0, 0.01, "suffix:s") var leave_time: float = 2.0
 ## Time from neutral to full motion.
 @export_range(0.01, 60.0, 0.01, "suffix:s") var enter_time: float = 2.0
-## Time to neutral after the vehicle was put elsewhere.
+## Time to go to neutral after the vehicle was put elsewhere.
 @export_range(0.01, 60.0, 0.01, "suffix:s") var teleport_time: float = 1.0
 
 

@@ -2,22 +2,22 @@
 @icon("res://scenes/combat/icons/armour.svg")
 class_name VehicleArmour
 extends Armour
-## What a [Vehicle] can bear: how thick it is on which side, and what becomes of it when something
-## gets through.
+## The armour of a [Vehicle]: thickness of each side, and the damage when something pierces it.
 ##
-## Only the server decides. Who is knocked out has no engine, no brakes to release and no gun, until
-## somebody sends [constant REPAIR].
+## Only the server decides. A vehicle that is knocked out has no engine, no brakes and no gun, until
+## a session sends [constant REPAIR].
 
 ## The vehicle has another [enum VehicleState.Damage] now: on the server.
 signal damaged(p_damage: VehicleState.Damage)
 
 ## Command that makes it whole again.
 const REPAIR: StringName = &"repair"
-## What gets through so much more than it had to knocks out at once.
+## Ratio of penetration to what was needed from which on a hit knocks out at once.
 const OVERMATCH: float = 1.3
-## A shell that does not get through breaks something from this share of the needed strength on.
+## Share of the needed penetration from which on a shell that does not pierce still damages.
 const SHAKEN: float = 0.7
-## At flatter angles armour is no thicker: a share of the way through, the cosine.
+## Least cosine of the angle of impact that is used: the effective thickness is thickness / cosine,
+## and grows no further at flatter angles.
 const _FLATTEST: float = 0.25
 
 ## The vehicle.
@@ -34,19 +34,20 @@ const _FLATTEST: float = 0.25
 @export var turret: VehicleTurret = null
 
 @export_group("Steel")
-## Of the hull's front, mm of rolled steel, as all of these.
+## Thickness of the hull's front, mm of rolled steel.
 @export_range(0.0, 2000.0, 1.0, "suffix:mm") var front: float = 10.0
-## Of its sides, mm.
+## Thickness of the sides, mm.
 @export_range(0.0, 2000.0, 1.0, "suffix:mm") var side: float = 10.0
-## Of its rear, mm.
+## Thickness of the rear, mm.
 @export_range(0.0, 2000.0, 1.0, "suffix:mm") var rear: float = 10.0
-## Of roof and floor, mm.
+## Thickness of roof and floor, mm.
 @export_range(0.0, 2000.0, 1.0, "suffix:mm") var top: float = 10.0
-## What is higher than this belongs to the turret and turns with it, m above the ground; 0: nothing.
+## Height above the ground from which on armour belongs to the turret and turns with it, m; 0:
+## nothing does.
 @export_range(0.0, 5.0, 0.05, "suffix:m") var turret_height: float = 0.0
 
 @export_group("Bullets")
-## Energy of bullets that got through, until it is damaged (x) and knocked out (y), kJ.
+## Energy of bullets that have pierced at which it is damaged (x) and knocked out (y), kJ.
 @export_custom(PROPERTY_HINT_NONE, "suffix:kJ") var toughness: Vector2 = Vector2(30.0, 90.0)
 
 var _bullet_energy: float = 0.0
@@ -97,7 +98,7 @@ func take_fragments(p_ammunition: Ammunition, p_direction: Vector3, p_place: Vec
 		_worsen()
 
 
-## Steel at a place of the outside (m) whose normal is known, both in the world; mm.
+## Thickness of steel at a point of the outside (m) with its normal, both in the world; mm.
 func steel_at(p_place: Vector3, p_normal: Vector3) -> float:
 	var normal: Vector3 = vehicle.global_basis.inverse() * p_normal
 	if turret_height > 0.0 and vehicle.to_local(p_place).y > turret_height:

@@ -3,24 +3,24 @@ extends Node3D
 ## A driver's own vehicle, simulated ahead at the driver's client, so that it obeys at once.
 ##
 ## A second body of the vehicle drives in this machine's physics space, by the same parameters and
-## over the same ground, as far ahead of the server's news as a command needs to get there. What the
-## server says of a tick is compared with what was predicted for that tick; the difference moves the
-## body gradually, and what is shown even more so. Only static things are solid for it: what is
-## pushed or rammed becomes true when the server says so.
+## over the same ground, as many ticks ahead of the server's newest state as a command takes to
+## arrive. What the server says of a tick is compared with what was predicted for that tick; the
+## difference moves the body gradually, and what is shown even more so. Only static things are solid
+## for it: what is pushed or rammed becomes true when the server says so.
 
-## Share of a difference that is made good with each news of the server.
+## Share of the error in position that each state of the server corrects.
 const CORRECTION: float = 0.2
-## The same of the difference of speeds.
+## Share of the error in velocity that each state of the server corrects.
 const SPEED_CORRECTION: float = 0.1
-## Beyond such a difference, m and rad, the prediction begins anew where the server has the vehicle.
+## Error beyond which the prediction begins anew at the server's state, m and rad.
 const MAX_ERROR_M: float = 2.0
 const MAX_ERROR_RAD: float = 0.35
-## Differences below this are the wire's rounding, m and rad.
+## Error that is ignored, as the rounding on the wire causes it, m and rad.
 const _NOISE_M: float = 0.003
 const _NOISE_RAD: float = 0.002
-## What was corrected fades out of the picture in this time, s.
+## Time constant with which a correction fades out of the picture, s.
 const _FADE_S: float = 0.12
-## Ticks that are remembered.
+## Number of ticks that are remembered.
 const _MEMORY: int = 128
 
 ## The body that drives ahead.
@@ -32,11 +32,11 @@ var error_m: float = 0.0
 ## How often it began anew.
 var restarts: int = 0
 
-## What was predicted, by tick: where, velocity, angular velocity.
+## What was predicted, by tick: transform, velocity, angular velocity.
 var _places: Dictionary[int, Transform3D] = {}
 var _speeds: Dictionary[int, Vector3] = {}
 var _spins: Dictionary[int, Vector3] = {}
-## What is shown lies beside the body by so much: in the world, m, and about its own middle.
+## Offset of what is shown from the body: in the world, m, and about the body's own middle.
 var _offset: Vector3 = Vector3.ZERO
 var _turn: Quaternion = Quaternion.IDENTITY
 
@@ -74,7 +74,7 @@ func begin_at(p_tick: int, p_place: Transform3D, p_speed: Vector3, p_spin: Vecto
 	restart(place, p_speed, p_spin, tick)
 
 
-## Begins at a tick, at a place and with a speed.
+## Begins at a tick, with a transform and a velocity.
 func restart(p_place: Transform3D, p_speed: Vector3, p_spin: Vector3, p_tick: int) -> void:
 	var shown: Transform3D = get_shown(0.0)
 	ghost.teleport(p_place)
@@ -89,7 +89,7 @@ func restart(p_place: Transform3D, p_speed: Vector3, p_spin: Vector3, p_tick: in
 		_keep_shown(shown, p_place)
 
 
-## Whether it can be put somewhere with its wheels: not before its first step.
+## Whether vehicle and wheels can be moved: not before the first step.
 func has_wheels() -> bool:
 	return not ghost.stats().contacts.is_empty()
 
@@ -147,7 +147,7 @@ func get_shown(p_share: float) -> Transform3D:
 	return place.orthonormalized()
 
 
-## How far the picture is still to be pulled by what was corrected, m.
+## Distance by which the picture still differs because of corrections, m.
 func get_pull() -> float:
 	return _offset.length()
 
@@ -184,7 +184,7 @@ func _keep_shown(p_shown: Transform3D, p_place: Transform3D) -> void:
 	_turn = (Quaternion(p_shown.basis) * Quaternion(p_place.basis).inverse()).normalized()
 
 
-## Where the body is after the last step: its node is told a frame later.
+## Transform of the body after the last step: its node has it only a frame later.
 func _place() -> Transform3D:
 	if not ghost.is_inside_tree():
 		return ghost.transform

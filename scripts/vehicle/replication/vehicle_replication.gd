@@ -23,7 +23,7 @@ const NUMBERS: Array[StringName] = [
 ]
 ## The same that are whole numbers: 0 and 1 are no and yes.
 const COUNTS: Array[StringName] = [&"gear", &"lamps", &"damage", &"engine_on", &"stabilised"]
-## A driver, or a gunner who aims, of whom nothing has come for so long has let go of everything, s.
+## Time without a command after which a driver, or a gunner who aims, has let go of everything, s.
 const DEAD_MAN_S: float = 0.5
 ## Commands that open and shut hatches: of the commander and of the loader.
 const HATCHES: Array[StringName] = [&"open_hatch", &"open_loader_hatch"]

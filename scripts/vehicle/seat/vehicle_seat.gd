@@ -16,27 +16,27 @@ enum Posture {
 	SEATED,
 }
 
-## Nobody gets out of a vehicle that is faster than this, m/s.
+## Speed of the vehicle above which nobody can get out, m/s.
 const MAX_LEAVING_SPEED: float = 3.0
-## How far the hips of somebody who sits may be off the seat, m.
+## Greatest distance of the hips of somebody who sits from the seat's middle, m.
 const SEATED_ROOM: float = 0.08
 
-## Hips of somebody who stands beside a chair are so high, m.
+## Height of the hips of somebody who stands beside a chair, m.
 const _SITTING_HIPS: float = 0.9
 
 ## How it holds people.
 @export var posture: Posture = Posture.SEATED
-## Whether the occupant is inside: nobody can see or touch the person.
+## Whether the occupant is inside: nobody can see or touch the occupant.
 @export var is_enclosed: bool = false
-## Ways up from the ground: nodes whose children are the places of the feet, the one on the ground
-## first. They stand still in the vehicle's body.
+## Paths up from the ground: nodes whose children are the positions of the feet, the one on the
+## ground first. They do not move in the vehicle's body.
 @export var ladders: Array[Node3D] = []
-## How high above the seat feet come to before they go down into it: the height of the roof.
+## Height above the seat that feet reach before they go down into it: the height of the roof.
 @export_range(0.0, 3.0, 0.01, "suffix:m") var rim: float = 0.0
 
 ## Radius of the hatch in which somebody stands.
 @export_range(0.0, 1.0, 0.01, "suffix:m") var hatch_radius: float = 0.31
-## How high what stands around that hatch is above the roof: periscopes, a ring.
+## Height above the roof of what stands around the hatch: periscopes, a ring.
 @export_range(0.0, 0.5, 0.01, "suffix:m") var cupola: float = 0.0
 
 @export_group("Hold")

@@ -2,9 +2,9 @@
 @icon("res://scenes/vehicle/icons/vehicle.svg")
 class_name VehicleSound
 extends Node
-## What is heard of a [Vehicle]: its engine by revolutions and load, tracks or tyres by their speed,
-## the turret, hatches, and its guns. All of it comes from what every client knows anyway: it costs
-## no bytes.
+## Plays the sounds of a [Vehicle]: its engine by revolutions and load, tracks or tyres by their
+## speed, the turret, hatches, and its guns. All of it follows from what every client knows anyway:
+## it needs no bytes of its own.
 ##
 ## It does nothing where there is no [SoundVoices], as on a server.
 
@@ -28,19 +28,20 @@ const RPMS: PackedFloat32Array = [700.0, 1200.0, 1800.0, 2600.0]
 const _RPM_NAMES: PackedStringArray = ["700", "1200", "1800", "2600"]
 const SPEEDS: PackedFloat32Array = [2.2, 3.4, 5.2, 8.0, 12.3]
 const _SPEED_NAMES: PackedStringArray = ["22", "34", "52", "80", "123"]
-## Farther than this from the listener nothing but guns is worked out, m.
+## Distance from the listener beyond which nothing but guns is computed, m.
 const AWAY_M: float = 700.0
 ## Speed at which tyres sound as made, m/s, and revolutions of an electric motor, 1/min.
 const _TYRE_SPEED: float = 8.0
 const _MOTOR_RPM: float = 2000.0
-## Turning at this speed the turret sounds as made, rad/s; slower than this it is silent.
+## Angular speed at which the turret's loop has its original pitch, and below which it is silent,
+## rad/s.
 const _TURRET_RATE: float = 0.5
 const _TURRET_MIN: float = 0.02
-## A hatch moves faster than this, 1/s.
+## Speed from which on a hatch counts as moving, 1/s.
 const _HATCH_RATE: float = 0.2
-## How often it looks whether there is anything to play on, s.
+## Time between two searches for the voices to play on, s.
 const _SEARCH_S: float = 0.5
-## How slowly the ear follows revolutions and load, s: the engine has no jumps.
+## Time constant with which the heard revolutions and load follow, s: the engine has no jumps.
 const _FOLLOW_S: float = 0.08
 
 ## The vehicle.
@@ -105,7 +106,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return []
 
 
-## Begins on such voices.
+## Begins to play on these voices.
 func start(p_voices: SoundVoices) -> void:
 	stop()
 	set_process(true)

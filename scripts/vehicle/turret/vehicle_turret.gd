@@ -9,7 +9,7 @@ extends Node3D
 ## [member gun] about +X, and takes the [member shapes] along. Where the body is frozen (on clients)
 ## it shows what the vehicle's state says.
 
-## Turrets do not move shapes for less than this, rad: the body is built anew each time.
+## Least angle by which shapes follow, rad: each time the engine builds the body anew.
 const _SHAPE_STEP: float = 0.02
 
 ## What is raised and lowered: its origin is where the gun turns, its -Z where it points.

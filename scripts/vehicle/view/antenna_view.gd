@@ -2,7 +2,7 @@ class_name AntennaView
 extends RefCounted
 ## Antennas bend and sway when the vehicle accelerates.
 
-## Own frequency, Hz, and damping ratio of a whip of two metres.
+## Natural frequency, Hz, and damping ratio of a whip of two metres.
 const _HZ: float = 1.7
 const _DAMPING: float = 0.07
 ## Bend per square metre of height for each m/s^2, and the most, 1/m.

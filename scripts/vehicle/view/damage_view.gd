@@ -25,7 +25,7 @@ var _glow: OmniLight3D = null
 var _seconds: float = 0.0
 
 
-## [param p_at] is where it burns: a node of the model.
+## [param p_at] is the node of the model where it burns.
 func configure(p_model: Node3D, p_at: Node3D) -> void:
 	_model = p_model
 	_at = p_at

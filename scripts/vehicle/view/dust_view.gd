@@ -3,17 +3,17 @@ extends RefCounted
 ## Dust that one side's wheels throw up where they touch the ground, by speed and by what the ground
 ## is made of.
 
-## Speed from which on there is dust, and of the most dust, m/s.
+## Speed at which dust begins, and at which there is most, m/s.
 const _SLOW: float = 0.8
 const _FAST: float = 9.0
-## Share of slip that counts as speed.
+## Part of the slip that is added to the speed.
 const _SLIP_SHARE: float = 0.7
-## How often it looks what the ground is made of, s.
+## Time between two looks at the ground's material, s.
 const _LOOK_S: float = 0.2
 
-## Share of a tank's dust that such a vehicle throws up, 0 to 1.
+## Dust that this vehicle throws up, as a share of a tank's, 0 to 1.
 var share: float = 1.0
-## Share of the most dust, 0 to 1, that is thrown up now.
+## Dust that is thrown up now, as a share of the most, 0 to 1.
 var amount: float = 0.0
 ## Key of the ground under the rearmost wheel that touches it.
 var surface: StringName = ContactMaterial.NO_KEY

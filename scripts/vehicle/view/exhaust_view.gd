@@ -7,12 +7,12 @@ signal flap_shut(p_side: int)
 
 ## Farthest that a flap opens, rad.
 const FARTHEST: float = deg_to_rad(78.0)
-## How fast it falls when nothing lifts it, rad/s^2, and how it is braked, 1/s.
+## Acceleration of a falling flap, rad/s^2, and its damping, 1/s.
 const _FALL: float = 40.0
 const _DRAG: float = 9.0
-## How fast all the gas of the engine throws a flap open that is shut, rad/s^2.
+## Acceleration of a shut flap at full gas, rad/s^2.
 const _LIFT: float = 240.0
-## Share of its speed that is left when it meets pipe or stop.
+## Share of its speed that a flap keeps when it bounces off the pipe or the stop.
 const _BOUNCE: float = 0.35
 ## Beat of the flaps at idle and at the greatest speed of the engine, Hz: the beat of the cylinders
 ## themselves is faster than pictures.

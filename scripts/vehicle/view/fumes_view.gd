@@ -5,7 +5,7 @@ extends RefCounted
 ## How long a sudden load smokes before the turbocharger has caught up, s.
 const _LAG_S: float = 0.9
 
-## Share of the most fumes, 0 to 1, and how dark they are, 0 to 1.
+## Fumes as a share of the most, and their darkness, 0 to 1.
 var amount: float = 0.0
 var darkness: float = 0.0
 
@@ -23,7 +23,7 @@ func add(p_exhaust: Node3D) -> void:
 ## Follows the engine.
 func advance(p_state: VehicleState, p_most_rpm: float, p_delta: float) -> void:
 	var speed: float = clampf(p_state.rpm / p_most_rpm, 0.0, 1.0)
-	# The share of the load that has come so lately that air is missing.
+	# Part of the load that is so new that the engine lacks air for it.
 	_load = lerpf(_load, p_state.load, 1.0 - exp(-p_delta / _LAG_S))
 	var sudden: float = maxf(p_state.load - _load, 0.0)
 	amount = 0.0

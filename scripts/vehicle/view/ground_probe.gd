@@ -1,15 +1,16 @@
 class_name GroundProbe
 extends RefCounted
-## Where a vehicle's wheels stand on the level, and on what: rays against what never moves.
+## Finds where a vehicle's wheels stand on the level, and on which material: rays against static
+## bodies.
 ##
 ## A client's own: it costs no bytes on the wire.
 
 ## How far above the wheel's lowest point at rest a ray begins, m: higher than any bump it can take.
 const _ABOVE_M: float = 0.6
-## How fast a wheel follows the ground, m/s: an edge in the ground is no jump of the wheel.
+## Greatest vertical speed of a wheel, m/s: at an edge of the ground it does not jump.
 const _FOLLOW: float = 2.5
 
-## Most that a wheel goes up (x), and down (y), from rest, m.
+## Greatest travel of a wheel from rest, up (x) and down (y), m.
 var travel_m: Vector2 = Vector2(0.16, 0.14)
 ## How far each wheel is lifted from rest, m.
 var lifts: PackedFloat32Array = []
@@ -38,7 +39,7 @@ func configure(p_feet: PackedVector3Array, p_body: CollisionObject3D) -> void:
 	_colliders.resize(p_feet.size())
 
 
-## Looks where the ground is below the vehicle as it stands now.
+## Casts the rays below the vehicle as it stands now.
 func advance(p_space: PhysicsDirectSpaceState3D, p_vehicle: Transform3D, p_delta: float) -> void:
 	var up: Vector3 = p_vehicle.basis.y
 	var step: float = _FOLLOW * p_delta
@@ -56,7 +57,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_vehicle: Transform3D, p_delta
 		lifts[wheel] = move_toward(lifts[wheel], lift, step)
 
 
-## Lets all wheels stand as at rest and touch nothing: nobody sees them.
+## Lets all wheels be at rest and touch nothing: for vehicles that nobody sees.
 func rest() -> void:
 	lifts.fill(0.0)
 	touching.fill(0)

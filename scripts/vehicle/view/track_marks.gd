@@ -9,7 +9,7 @@ const PIECE_M: float = 0.6
 ## How long they last, s.
 const LASTING_S: float = 90.0
 const _LOOK: Shader = preload("res://assets/shaders/track_marks.gdshader")
-## A longer gap is a jump, not a way, m.
+## Gap beyond which the next print begins anew, m: the vehicle has jumped.
 const _GAP_M: float = 2.0
 
 ## How many pieces have been laid since the beginning.

@@ -1,12 +1,12 @@
 class_name VehicleEffects
 extends RefCounted
-## What surrounds a vehicle: dust, fumes, prints in the ground, swaying antennas, lamps, damage.
+## The effects of a vehicle: dust, fumes, prints in the ground, swaying antennas, lamps, damage.
 
-## From this distance on there is no dust, no fumes and no new print, m.
+## Distance from which on there is no dust, no fumes and no new print, m.
 const _AWAY_M: float = 150.0
-## How slowly speed and acceleration are told from positions, s.
+## Time constant with which velocity and acceleration are estimated from positions, s.
 const _SPEED_S: float = 0.08
-## Most acceleration that is believed, m/s^2: more is a teleport.
+## Greatest plausible acceleration, m/s^2: more is a teleport.
 const _MAX_ACCELERATION: float = 25.0
 
 ## Dust of the left and the right side.

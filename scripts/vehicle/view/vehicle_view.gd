@@ -1,15 +1,15 @@
 class_name VehicleView
 extends Node3D
-## What is seen of a vehicle: its model, moved by the vehicle's [member state] and by where its body
-## is, and by nothing else. It lies below the vehicle's body and costs no bytes on the wire.
+## Shows a vehicle: its model, moved by the vehicle's [member state] and by the transform of its
+## body alone. It is a child of the vehicle's body and needs no bytes of its own.
 ##
 ## The model looks along -Z, its origin is on the ground in the vehicle's middle.
 
-## From this distance on a track is a strip and wheels don't follow the ground, m.
+## Distance from which on a track is a strip and wheels do not follow the ground, m.
 const FAR_M: float = 40.0
-## The same where little is drawn.
+## The same in tiers of quality that draw little.
 const _FAR_LOW_M: float = 12.0
-## Turns of the steering wheel for one of the wheels.
+## Ratio of the steering wheel's angle to that of the wheels.
 const STEERING_RATIO: float = 12.0
 
 ## Node with the model.
@@ -22,7 +22,7 @@ const STEERING_RATIO: float = 12.0
 @export_custom(PROPERTY_HINT_NONE, "suffix:m") var travel: Vector2 = Vector2(0.16, 0.14)
 ## Share of a tank's dust that it throws up.
 @export_range(0.0, 1.0, 0.01) var dust_share: float = 1.0
-## Where it burns when it is knocked out; empty: the model's origin.
+## Node at which it burns when it is knocked out; empty: the model's origin.
 @export var fire_spot: Node3D = null
 ## The engine's greatest speed, 1/min.
 @export_range(500.0, 9000.0, 50.0, "suffix:1/min") var most_rpm: float = 2600.0
@@ -37,7 +37,7 @@ var wheels: Array[WheelView] = []
 var turret: TurretView = TurretView.new()
 ## The flaps of the exhausts.
 var exhaust: ExhaustView = ExhaustView.new()
-## Where its wheels stand: left from rear to front, then right.
+## Finds where its wheels stand: left from rear to front, then right.
 var ground: GroundProbe = GroundProbe.new()
 ## Dust, fumes, prints, antennas, lamps, damage.
 var effects: VehicleEffects = VehicleEffects.new()

@@ -5,8 +5,8 @@ extends Node
 ## How far the eye opens and how quickly it gets used to another light, 1/s.
 const MAX_EXPOSURE: float = 2.6
 const SPEED: float = 1.6
-## Share of the sky's light that there is in a street: where it is as light, the eye is as open as
-## outdoors, at any hour.
+## Share of the sky's light in a street: where there is as much, the eye is as open as outdoors, at
+## any hour.
 const OUTDOORS: float = 0.45
 const _POWER: float = 0.5
 
@@ -41,7 +41,7 @@ func _process(p_delta: float) -> void:
 	WorldLight.set_exposure(_exposure)
 
 
-## How far the eye opens at a place in the level.
+## How far the eye opens at a position in the level.
 func exposure_at(p_place: Vector3) -> float:
 	var at: Vector3 = (p_place - bake.grid_origin) / bake.grid_spacing
 	var here: float = _grey(_grid.mean_at(at, WorldLight.strengths))

@@ -236,7 +236,7 @@ func _take_cells(p_sections: Dictionary[int, PackedByteArray]) -> bool:
 	var cells: int = cell_counts.x * cell_counts.y * cell_counts.z
 	seen_parts = p_sections[Section.SEEN_PARTS]
 	seen_cells = p_sections[Section.SEEN_CELLS]
-	# How small the cells of the sets are is told by how many there are.
+	# The number of bytes gives the size of the cells of the sets.
 	divisions = 1
 	while divisions < MAX_DIVISIONS and seen_parts.size() > cells * divisions ** 3 * keys.size():
 		divisions += 1

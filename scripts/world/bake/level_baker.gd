@@ -3,7 +3,7 @@ extends RefCounted
 ## Works out a [LevelBake] of a level: seconds of work, in a thread where there is a window to keep
 ## alive.
 
-## Rays from each place, and how often light is thrown back.
+## Rays from each point, and number of bounces.
 const RAYS: int = 128
 const BOUNCES: int = 3
 ## Distances of the points of the grid of light, m.
@@ -15,27 +15,28 @@ const GROUND_M: float = 4.0
 const GROUND_COLOUR: Color = Color(0.42, 0.30, 0.18)
 ## Edge of the cells of visibility, m.
 const CELL_M: float = 4.0
-## Height above the lowest floor up to which eyes are looked from, m: higher ones see all.
+## Greatest height of eyes above the lowest floor, m, for which visibility is computed: from higher
+## up everything is visible.
 const EYES_M: float = 12.0
 ## How far below the lowest spawn point floors are, m.
 const SUNK_M: float = 0.05
-## How high above and how far beside the blocks there is light in the air, m.
+## How far the grid of light reaches above and beside the blocks, m.
 const AIR_M: Vector3 = Vector3(3.0, 3.0, 3.0)
 
-## Which sun rises where: towards the sun in the morning (east, 15 degrees high), at noon (south, 65
-## degrees) and in the evening (west, 15 degrees).
+## Directions towards the suns: morning (east, 15 degrees high), noon (south, 65 degrees) and
+## evening (west, 15 degrees).
 const SUNS: Array[Vector3] = [
 	Vector3(0.9659, 0.2588, 0.0), Vector3(0.0, 0.9063, 0.4226), Vector3(-0.9659, 0.2588, 0.0)
 ]
 
 ## What was worked out.
 var bake: LevelBake = LevelBake.new()
-## Whether to look for what can be seen from where, which takes longest.
+## Whether to compute what can be seen from where, which takes longest.
 var has_visibility: bool = true
 
 var _tracer: LevelTracer = LevelTracer.new()
 var _bounds: AABB = AABB()
-# Where people stand lowest, m.
+# Height of the lowest floor that people stand on, m.
 var _floor: float = 0.0
 
 

@@ -6,7 +6,7 @@ extends Node
 
 ## How often props are looked at, s: they move.
 const PROPS_S: float = 0.1
-## A turn of the light by more than this is looked at, rad.
+## The light's direction counts as changed beyond this angle, rad.
 const TURN_RAD: float = 0.01
 ## Light that is lower than this, as a sine, throws shadows without end.
 const LOWEST: float = 0.08

@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Room around a prop, m: for its shadow, and for how far it moves until it is looked at again.
 const ROOM_M: float = 1.0
-## A prop that has moved by less than this is where it was, m.
+## A prop that has moved by less than this counts as unmoved, m.
 const MOVED_M: float = 0.2
 
 
@@ -60,9 +60,9 @@ func look(p_bake: LevelBake, p_eyes: PackedVector3Array, p_is_other: bool) -> bo
 	return has_looked
 
 
-## Lets only those throw shadows whose shadow may reach what a camera sees: see
-## [method ShadowReach.find_inside]. Without bounds all throw them. The sun's light comes from
-## [param p_way], and ends at [param p_floor], a height.
+## Lets only those throw shadows whose shadow may reach what a camera sees: see [method
+## ShadowReach.find_inside]. Without bounds all throw them. The sun's light comes from the direction
+## [param p_way] and ends at the height [param p_floor].
 func look_at_shadows(
 	p_reach: ShadowReach, p_bounds: PackedVector4Array, p_way: Vector3, p_floor: float
 ) -> void:

@@ -5,7 +5,7 @@ extends RefCounted
 
 ## Surfaces that are nearer to each other than this flicker, m.
 const NEAR_M: float = 0.005
-## So much of both must be one, m², and so large a share of a block that stands on terrain.
+## Least overlap that is reported, m², and, for a block on terrain, as a share of the block.
 const MIN_M2: float = 0.1
 const MIN_SHARE: float = 0.25
 const _PLACES: int = 9

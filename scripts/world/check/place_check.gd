@@ -8,11 +8,12 @@ const HEIGHT_M: float = 1.5
 const ABOVE_GROUND_M: float = 0.3
 ## How far a spawn point may be above or below the ground, m.
 const GROUND_M: float = 0.15
-## How far down the ground is looked for, m.
+## Depth to which the ground is searched below a spawn point, m.
 const DEPTH_M: float = 200.0
 ## Room around the eye of a view, m.
 const CAMERA_M: float = 0.1
-## Share of its size by which a prop may be in what stands still: resting, it sinks in a little.
+## Depth by which a prop may be inside a static body, as a share of its size: resting, it sinks in a
+## little.
 const TOUCH: float = 0.06
 
 var _findings: LevelFindings = null

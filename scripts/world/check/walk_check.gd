@@ -2,11 +2,12 @@ class_name WalkCheck
 extends RefCounted
 ## Whether people can walk from where they start to all that is meant for them.
 
-## The smallest place that is worth telling of, m2.
+## The smallest unreachable area that is reported, m².
 const SMALLEST_M2: float = 4.0
 ## How near a waypoint must be to where people walk, m.
 const WAYPOINT_M: float = 0.8
-## How far a floor on which people cannot get may differ in height from the ground around, m.
+## Greatest difference in height between an unreachable floor and the ground around it for the floor
+## to be reported, m.
 const GROUND_M: float = 0.6
 ## How far above its storeys the roof of a house may be, m.
 const ROOF_M: float = 1.0
@@ -120,7 +121,7 @@ func _look_at_floors() -> void:
 			_findings.faults[-1].place = at
 
 
-## Whether a place is within something solid, which is hollow to a navigation mesh.
+## Whether a position is inside a solid body, which a navigation mesh takes for hollow.
 func _is_solid(p_at: Vector3) -> bool:
 	var ball: SphereShape3D = SphereShape3D.new()
 	ball.radius = 0.2

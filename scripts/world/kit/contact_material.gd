@@ -10,7 +10,7 @@ extends PhysicsMaterial
 
 ## Folder of the kit's materials.
 const FOLDER: String = "res://assets/world/contacts/"
-## The key of what has none.
+## The key of bodies without a material.
 const NO_KEY: StringName = &"stone"
 ## The key of people.
 const PERSON: StringName = &"person"
@@ -58,13 +58,13 @@ static var _found: Dictionary[StringName, ContactMaterial] = {}
 var key: String = "wood"
 
 @export_group("Dust")
-## Share of the most dust that wheels and feet raise on it.
+## Dust that wheels and feet raise on it, as a share of the greatest.
 @export_range(0.0, 1.0, 0.01) var dust: float = 0.0
 ## Colour of its dust and of what flies up where a shot strikes it.
 @export var dust_color: Color = Color(0.84, 0.74, 0.59)
 ## How deep the prints of wheels and tracks are that stay in it.
 @export_range(0.0, 1.0, 0.01) var print_depth: float = 0.0
-## How many sparks a shot strikes from it, of the most.
+## Sparks that a shot strikes from it, as a share of the most.
 @export_range(0.0, 1.0, 0.01) var sparks: float = 0.0
 
 @export_group("Sound")
@@ -117,7 +117,7 @@ static func key_of(p_body: PhysicsBody3D) -> StringName:
 	return StringName(made_of.key) if made_of != null else NO_KEY
 
 
-## What a body of the level is made of at a place, in the world, m; never null.
+## The material of a body of the level at a position (m, world); never null.
 static func at(p_collider: Object, p_place: Vector3) -> ContactMaterial:
 	if p_collider is Terrain:
 		return named((p_collider as Terrain).surface_at(p_place))

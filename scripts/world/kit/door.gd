@@ -22,10 +22,10 @@ const THICK_M: float = 0.05
 const MAX_DEG: float = 170.0
 ## Free space above and below the leaf, m.
 const GAP_M: float = 0.015
-## From so far its leaf is not seen any more, m.
+## Distance from which on the leaf is not drawn, m.
 const SHOWN_M: float = 45.0
 
-## Meshes by what they depend on: many doors are alike.
+## Meshes of leaves that look alike: many doors share one.
 static var _meshes: Dictionary[String, ArrayMesh] = {}
 
 ## Width and height of the leaf.

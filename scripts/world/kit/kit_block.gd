@@ -41,7 +41,7 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return []
 
 
-## Adds the faces and solid boxes of a part to a mesh, from where the mesh has its place now.
+## Adds the faces and solid boxes of a part to a mesh, at the mesh's present transform.
 func build(_p_mesh: BlockMesh, _p_part: StringName) -> void:
 	pass
 

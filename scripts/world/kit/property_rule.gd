@@ -49,7 +49,7 @@ enum Kind {
 ## Openings of a wall or gaps of a railing, and where they may be, m.
 const MAX_OPENINGS: int = 64
 const FARTHEST_OPENING_M: float = 250.0
-## Farthest that something may be from its parent, and from the level's origin, m.
+## Greatest distance of a thing from its parent, and from the level's origin, m.
 const FARTHEST: float = 8000.0
 ## Largest and smallest length of an axis of a transform.
 const LARGEST_SCALE: float = 1000.0

@@ -1,10 +1,10 @@
 @tool
 class_name RoofProbe
 extends RefCounted
-## Heights of what is highest at places around the eye, found by few rays a tick, for rain that does
-## not fall through roofs, and dust that does not swirl in rooms.
+## Finds the highest surface at points around the eye, by a few rays a tick: rain does not fall
+## through roofs, and dust does not swirl in rooms.
 ##
-## The places are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
+## The points are a square grid of the whole world that repeats after [constant EDGE_M]: who walks
 ## on keeps what he has seen.
 
 ## Edge of the square around the eye, m.
@@ -13,12 +13,12 @@ const EDGE_M: float = 24.0
 const SIDE: int = 24
 ## Rays in a tick.
 const RAYS: int = 12
-## From how high above the eye it is looked down, m.
+## Height above the eye from which rays go down, m.
 const ABOVE_M: float = 25.0
 ## Height where nothing is found, m.
 const NOTHING_M: float = -1000.0
 
-## The heights, one float a place: repeats over the world.
+## The heights, one float a point: repeats over the world.
 var texture: ImageTexture = null
 
 var _heights: Image = Image.create_empty(SIDE, SIDE, false, Image.FORMAT_RF)
@@ -30,13 +30,13 @@ func _init() -> void:
 	texture = ImageTexture.create_from_image(_heights)
 
 
-## Looks at the next places around an eye.
+## Casts the next rays around an eye.
 func advance(p_space: PhysicsDirectSpaceState3D, p_eye: Vector3) -> void:
 	var cell: float = EDGE_M / SIDE
 	var query: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.new()
 	query.collision_mask = PhysicsLayers.STATIC
 	for _ray: int in RAYS:
-		# A large step that visits every place once.
+		# A large step that visits every point once.
 		_next = (_next + 233) % (SIDE * SIDE)
 		var column: int = _next % SIDE
 		var row: int = _next / SIDE
@@ -53,7 +53,7 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_eye: Vector3) -> void:
 	texture.update(_heights)
 
 
-## The height that was found at a place, m.
+## The height that was found at a position, m.
 func height_at(p_place: Vector3) -> float:
 	var cell: float = EDGE_M / SIDE
 	var column: int = posmod(floori(p_place.x / cell), SIDE)
@@ -61,7 +61,7 @@ func height_at(p_place: Vector3) -> float:
 	return _heights.get_pixel(column, row).r
 
 
-## The middle of the place of a number that is nearest to the eye.
+## The point with a number that is nearest to the eye.
 static func _nearest(p_number: int, p_eye: float, p_cell: float) -> float:
 	var middle: float = (p_number + 0.5) * p_cell
 	return middle + roundf((p_eye - middle) / EDGE_M) * EDGE_M

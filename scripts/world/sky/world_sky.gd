@@ -46,8 +46,8 @@ const SKIES: StringName = &"skies"
 		entity = p_value
 		update_configuration_warnings()
 
-## For so long after a client has got the fields, changes are shown at once: what was set before it
-## came arrives only now, ms.
+## Time after a client has got the fields during which changes are shown at once, ms: what was set
+## before it came arrives only now.
 var settling_ms: int = 2500
 ## What is shown now.
 var state: SkyState = SkyState.at(10.0)

@@ -1,7 +1,7 @@
 @tool
 class_name HeightBrush
 extends RefCounted
-## Changes a [HeightField] around a place: raises, lowers, smooths, flattens, paints. Each change
+## Changes a [HeightField] around a position: raises, lowers, smooths, flattens, paints. Each change
 ## can be taken back: [HeightPatch] keeps what was there.
 
 ## What a brush does.
@@ -30,8 +30,8 @@ var strength: float = 0.1
 var paint: HeightField.Paint = HeightField.Paint.GRAVEL
 
 
-## Applies the brush at a place from the middle of a field, m. Returns what was there before, or
-## null if the place is beyond the field.
+## Applies the brush at a position from the middle of a field, m. Returns what was there before, or
+## null if the position is beyond the field.
 func stroke(p_field: HeightField, p_x: float, p_z: float) -> HeightPatch:
 	var middle: Vector2 = Vector2(p_x, p_z) / p_field.cell_m
 	middle += Vector2(p_field.columns - 1, p_field.rows - 1) / 2.0

@@ -83,7 +83,8 @@ func range_of_heights() -> Vector2:
 	return Vector2(least, most)
 
 
-## Height of the ground at a place from the middle, m; beyond the edge that of the edge.
+## Height of the ground at a point, counted from the middle, m; beyond the edge the height of the
+## edge.
 func height_at(p_x: float, p_z: float) -> float:
 	var place: Vector2 = _place_of(p_x, p_z)
 	var column: int = mini(int(place.x), columns - 2)
@@ -100,7 +101,7 @@ func height_at(p_x: float, p_z: float) -> float:
 	return far + (below - far) * (1.0 - across) + (right - far) * (1.0 - down)
 
 
-## Which way the ground faces at a place.
+## Normal of the ground at a point.
 func normal_at(p_x: float, p_z: float) -> Vector3:
 	var step: float = cell_m
 	var across: float = height_at(p_x - step, p_z) - height_at(p_x + step, p_z)
@@ -108,18 +109,18 @@ func normal_at(p_x: float, p_z: float) -> Vector3:
 	return Vector3(across, 2.0 * step, down).normalized()
 
 
-## Number of the point that is nearest to a place.
+## Number of the point that is nearest to a position.
 func index_at(p_x: float, p_z: float) -> int:
 	var place: Vector2 = _place_of(p_x, p_z)
 	return roundi(place.y) * columns + roundi(place.x)
 
 
-## How much of a paint lies at a place, 0 to 1.
+## How much of a paint lies at a position, 0 to 1.
 func paint_at(p_x: float, p_z: float, p_paint: Paint) -> float:
 	return paint[index_at(p_x, p_z) * PAINTS + p_paint] / 255.0
 
 
-## Key of what the ground is made of at a place, for sound and dust.
+## Key of what the ground is made of at a position, for sound and dust.
 func surface_at(p_x: float, p_z: float) -> StringName:
 	var best: StringName = SAND
 	var most: float = 0.5
@@ -146,7 +147,7 @@ func duplicate() -> HeightField:
 	return copy
 
 
-## Column and row of a place, as numbers between the points, within the field.
+## Column and row of a position, as numbers between the points, within the field.
 func _place_of(p_x: float, p_z: float) -> Vector2:
 	var place: Vector2 = Vector2(p_x, p_z) / cell_m + Vector2(columns - 1, rows - 1) / 2.0
 	return place.clamp(Vector2.ZERO, Vector2(columns - 1, rows - 1))

@@ -2,8 +2,8 @@
 @icon("res://scenes/world/icons/terrain.svg")
 class_name Terrain
 extends StaticBody3D
-## Ground from a map of heights, for levels of any rectangular size: what is seen, what is stood on,
-## what it is made of.
+## Ground from a height map, for levels of any rectangular size: its picture, its collision shapes
+## and its materials.
 ##
 ## The map is a file of its own ([HeightFile]), made by a script or by brushes ([HeightBrush]). Sand
 ## lies everywhere; paint covers it with gravel, rock, a road or clay, and steep places are
@@ -79,8 +79,8 @@ func _get_configuration_warnings() -> PackedStringArray:
 	return warnings
 
 
-## Reads the file before the node enters the tree, so that nobody has to wait for it then. A thread
-## may do it: see [LevelLoader].
+## Reads the file before the node enters the tree, which then costs less. A thread may do it: see
+## [LevelLoader].
 func read_ahead() -> void:
 	_ahead = HeightFile.read(height_file) if height_file != "" else null
 
@@ -132,7 +132,7 @@ func follow_quality() -> void:
 			TerrainScatter.show_share(node as MultiMeshInstance3D)
 
 
-## Height of the ground below or above a place in the world, m.
+## Height of the ground at a position in the world, m.
 func height_at(p_place: Vector3) -> float:
 	if field == null:
 		return global_position.y
@@ -140,20 +140,20 @@ func height_at(p_place: Vector3) -> float:
 	return global_position.y + field.height_at(own.x, own.z)
 
 
-## Which way the ground faces at a place in the world.
+## Normal of the ground at a position in the world.
 func normal_at(p_place: Vector3) -> Vector3:
 	var own: Vector3 = p_place - global_position
 	return field.normal_at(own.x, own.z) if field != null else Vector3.UP
 
 
-## Key of what the ground is made of at a place in the world, for sound and dust, such as
+## Key of the ground's material at a position in the world, for sound and dust, such as
 ## [code]&"sand"[/code].
 func surface_at(p_place: Vector3) -> StringName:
 	var own: Vector3 = p_place - global_position
 	return field.surface_at(own.x, own.z) if field != null else HeightField.SAND
 
 
-## Whether it is above or below a place in the world.
+## Whether it covers a position in the world, at any height.
 func covers(p_place: Vector3) -> bool:
 	var own: Vector3 = p_place - global_position
 	return (

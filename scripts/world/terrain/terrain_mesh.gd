@@ -65,8 +65,8 @@ static func make_hills(p_field: HeightField, p_seed: int) -> ArrayMesh:
 	return _wrap(points, edge.size())
 
 
-## The ground with points so far apart, m: arrays of a mesh ([enum Mesh.ArrayType]), for what bakes
-## light or looks for ways.
+## The ground with points so far apart, m: arrays of a mesh ([enum Mesh.ArrayType]), for baking
+## light and for navigation meshes.
 static func make_coarse(p_field: HeightField, p_step_m: float) -> Array:
 	var size: Vector2 = p_field.size()
 	var columns: int = maxi(roundi(size.x / p_step_m), 1)

@@ -21,7 +21,7 @@ const _DRUMS: Array[int] = [
 ]
 
 
-## An empty pallet on a place's middle.
+## Adds an empty pallet around a point.
 static func add_pallet(p_mesh: BlockMesh, p_at: Vector3) -> void:
 	var half: Vector3 = PALLET / 2.0
 	for x: float in [-half.x, -0.07, half.x - 0.14]:
@@ -37,7 +37,7 @@ static func add_pallet(p_mesh: BlockMesh, p_at: Vector3) -> void:
 		p_mesh.box(low, low + Vector3(0.14, 0.02, PALLET.z), _WOOD, _BOARD)
 
 
-## A pallet with a load of a height (m) at most; gives the height of all.
+## Adds a pallet with a load of a height (m) at most; returns the height of both.
 static func add_load(
 	p_mesh: BlockMesh, p_at: Vector3, p_high: float, p_dice: RandomNumberGenerator
 ) -> float:
@@ -183,7 +183,7 @@ static func _add_side(
 		_board(p_mesh, low, high, Vector2(p_edge * 0.9, p_thick * 0.7))
 
 
-## A board along a way in the plane of a side.
+## Adds a board along a direction in the plane of a side.
 static func _board(p_mesh: BlockMesh, p_from: Vector3, p_to: Vector3, p_size: Vector2) -> void:
 	var along: Vector3 = (p_to - p_from).normalized()
 	var base: Transform3D = p_mesh.get_place()

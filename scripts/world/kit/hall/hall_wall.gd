@@ -25,7 +25,7 @@ var frame: int = SurfaceTints.Tint.NAVY
 var _mesh: BlockMesh
 
 
-## Adds the wall to a mesh at its place.
+## Adds the wall to a mesh, at the mesh's present transform.
 func build(p_mesh: BlockMesh) -> void:
 	_mesh = p_mesh
 	_add_sheets()

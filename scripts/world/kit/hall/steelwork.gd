@@ -92,7 +92,7 @@ static func guard(p_mesh: BlockMesh, p_from: Vector3, p_to: Vector3, p_height: f
 	p_mesh.set_place(base)
 
 
-## Axes with Y along a way, X level.
+## A basis with Y along a direction and X level.
 static func _basis_along(p_way: Vector3) -> Basis:
 	var along: Vector3 = p_way.normalized()
 	if absf(along.y) > 0.999:

@@ -62,7 +62,7 @@ func _add_column(p_share: float, p_rows: int) -> void:
 		lengths.append(Vector2(length, down * _size.y))
 
 
-## How far the cloth stands out at a place; folds open a little towards the foot.
+## How far the cloth stands out at a position; folds open a little towards the foot.
 func _wave(p_x: float, p_down: float) -> float:
 	var turn: float = p_x / _fold * TAU
 	var uneven: float = sin(p_x * 1.7 + 0.4) * 0.8 + sin(p_x * 0.61) * 1.3

@@ -18,7 +18,7 @@ const _MIN_FOV: float = 5.0
 @export_range(1.0, 100.0, 0.1, "suffix:m") var focus: float = 10.0
 ## Whether it follows people.
 @export var is_following: bool = true
-## How far from the focus people may be whom it follows.
+## Greatest distance from the focus at which people are followed.
 @export_range(0.5, 100.0, 0.5, "suffix:m") var radius: float = 6.0
 ## How high above or below the focus their hips may be.
 @export_range(0.2, 20.0, 0.1, "suffix:m") var height: float = 1.6
@@ -47,7 +47,8 @@ func get_focus_point() -> Vector3:
 	return global_transform * Vector3(0.0, 0.0, -focus)
 
 
-## Which of some people (their hips, in the world) is followed: the nearest to the focus, or -1.
+## Index of the person to follow, given the positions of all hips in the world: the one nearest to
+## the focus; -1 if nobody is near enough.
 func choose(p_hips: PackedVector3Array) -> int:
 	var middle: Vector3 = get_focus_point()
 	var best: int = -1
@@ -61,7 +62,7 @@ func choose(p_hips: PackedVector3Array) -> int:
 	return best if is_following else -1
 
 
-## Goes on by some seconds: turns and zooms to people, of whom the hips are given.
+## Advances by a time, s: turns and zooms to people, given the positions of their hips.
 func advance(p_seconds: float, p_hips: PackedVector3Array) -> void:
 	var aim: Vector3 = get_focus_point()
 	var high: float = 2.0 * tan(deg_to_rad(fov) / 2.0) * focus
