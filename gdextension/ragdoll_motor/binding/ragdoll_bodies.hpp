@@ -2,8 +2,8 @@
 #pragma once
 
 #include <control/world_drive.hpp>
-#include <controller.hpp>
-#include <root_drive.hpp>
+#include <joint/controller.hpp>
+#include <root/root_drive.hpp>
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>

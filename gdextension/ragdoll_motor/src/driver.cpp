@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "driver.hpp"
 
+#include "comparison/lowest_contact.hpp"
+#include "comparison/lowest_foot.hpp"
 #include "gait/inertial_gait.hpp"
-#include "gait/lowest_contact.hpp"
-#include "gait/lowest_foot.hpp"
 
 #include <algorithm>
 #include <utility>

@@ -2,18 +2,18 @@
 #pragma once
 
 #include "balance/balance.hpp"
-#include "carrier.hpp"
+#include "body/energy_guard.hpp"
+#include "control/feed_forward.hpp"
 #include "control/world_drive.hpp"
-#include "controller.hpp"
-#include "energy_guard.hpp"
-#include "feed_forward.hpp"
 #include "gait/foot_lock.hpp"
 #include "gait/path_filter.hpp"
-#include "obstacles.hpp"
-#include "root_drive.hpp"
-#include "tether.hpp"
-#include "torque_meter.hpp"
-#include "tracking_meter.hpp"
+#include "joint/controller.hpp"
+#include "joint/torque_meter.hpp"
+#include "motion/tracking_meter.hpp"
+#include "root/carrier.hpp"
+#include "root/root_drive.hpp"
+#include "root/tether.hpp"
+#include "world/obstacles.hpp"
 
 #include <array>
 #include <cstdint>

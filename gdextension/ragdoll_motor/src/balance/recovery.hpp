@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "leg.hpp"
-#include "rig.hpp"
+#include "base/archive.hpp"
+#include "body/leg.hpp"
+#include "body/rig.hpp"
 
 #include <vector>
 

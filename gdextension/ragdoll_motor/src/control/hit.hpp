@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "actuation.hpp"
-#include "rig.hpp"
+#include "body/rig.hpp"
+#include "joint/actuation.hpp"
 
 namespace ragdoll {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "actuation.hpp"
+#include "joint/actuation.hpp"
 
 namespace ragdoll {
 

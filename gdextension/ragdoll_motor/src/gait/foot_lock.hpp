@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "body/leg.hpp"
+#include "body/rig.hpp"
 #include "gait/travel.hpp"
-#include "leg.hpp"
-#include "rig.hpp"
 
 #include <limits>
 #include <vector>

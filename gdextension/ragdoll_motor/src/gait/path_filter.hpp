@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "calm.hpp"
-#include "vectors.hpp"
+#include "base/archive.hpp"
+#include "base/calm.hpp"
+#include "base/vectors.hpp"
 
 namespace ragdoll {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "gait/contact_point.hpp"
-#include "gait/ground.hpp"
+#include "base/archive.hpp"
+#include "body/contact_point.hpp"
+#include "world/ground.hpp"
 
 #include <algorithm>
 #include <cstddef>
