@@ -8,7 +8,7 @@ namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x36534D52; // "RMS6"
+constexpr std::uint32_t STATE_MAGIC = 0x37534D52; // "RMS7"
 
 } // namespace
 

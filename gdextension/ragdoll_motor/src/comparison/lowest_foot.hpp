@@ -11,6 +11,7 @@ class LowestFoot : public Travel {
 public:
 	using Travel::Travel;
 
+	bool knows_what_carries() const override { return false; }
 	void save(ArchiveWriter &p_archive) const override;
 	bool restore(ArchiveReader &p_archive) override;
 

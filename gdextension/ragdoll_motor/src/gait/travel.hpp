@@ -69,6 +69,9 @@ public:
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
 
+	/// Whether the estimator itself finds what carries the person; who rides on a platform is moved otherwise.
+	virtual bool knows_what_carries() const { return true; }
+
 	virtual void save(ArchiveWriter &p_archive) const;
 	virtual bool restore(ArchiveReader &p_archive);
 

@@ -10,7 +10,8 @@ TorqueMeter::TorqueMeter(std::size_t p_limb_count) :
 		_angular_before(p_limb_count),
 		_forces(p_limb_count),
 		_moments(p_limb_count),
-		_torques(p_limb_count, 0.0f) {}
+		_torques(p_limb_count, 0.0f),
+		_saturations(p_limb_count, 0.0f) {}
 
 void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_s) {
 	const float rate = _is_known ? 1.0f / p_delta_s : 0.0f;
@@ -40,6 +41,13 @@ void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_
 		_angular_before[i] = p_state.angular[i];
 	}
 	_is_known = true;
+}
+
+void TorqueMeter::compare(const Rig &p_rig, const ActuationTable &p_table, float p_root_torque) {
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		const float most = i == 0 ? p_root_torque : p_rig[i].max_torque * p_table.get_strength(i);
+		_saturations[i] = most > 0.0f ? _torques[i] / most : 0.0f;
+	}
 }
 
 } // namespace ragdoll

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body/rig.hpp"
+#include "joint/actuation.hpp"
 
 #include <vector>
 
@@ -16,8 +17,13 @@ public:
 
 	/// Takes the state after a step of p_delta_s seconds.
 	void note(const Rig &p_rig, const RigState &p_state, float p_delta_s);
+	/// Compares the torques with what the joints can give.
+	/// @param p_root_torque greatest torque of the root's hold, N m
+	void compare(const Rig &p_rig, const ActuationTable &p_table, float p_root_torque);
 	/// Magnitude of the torque at each limb's joint, N m; the root's is that of its hold by the world.
 	const std::vector<float> &get_torques() const { return _torques; }
+	/// What part of each joint's greatest torque that was at the last compare(), 0 to 1 and more.
+	const std::vector<float> &get_saturations() const { return _saturations; }
 	void clear() { _is_known = false; }
 
 private:
@@ -27,6 +33,7 @@ private:
 	std::vector<Vec3> _forces;
 	std::vector<Vec3> _moments;
 	std::vector<float> _torques;
+	std::vector<float> _saturations;
 };
 
 } // namespace ragdoll

@@ -35,9 +35,4 @@ RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Ri
 	return command;
 }
 
-Vec3 righting_velocity(const Quat &p_actual, const Quat &p_now, const Quat &p_next, float p_delta_s, float p_gain) {
-	const float gain = std::min(p_gain, 1.0f / p_delta_s);
-	return log(p_now.inverse() * p_next) * (1.0f / p_delta_s) + log(p_actual.inverse() * p_now) * gain;
-}
-
 } // namespace ragdoll

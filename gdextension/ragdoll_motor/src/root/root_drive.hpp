@@ -61,8 +61,4 @@ struct RootSettings {
 RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const RigState &p_actual,
 		const Vec3 &p_now, const Vec3 &p_next, float p_delta_s, float p_strength);
 
-/// The turning rate (rad/s, limb's axes) that brings a limb along in the world, whatever its parent
-/// does: how SELF_RIGHTING keeps the trunk upright.
-Vec3 righting_velocity(const Quat &p_actual, const Quat &p_now, const Quat &p_next, float p_delta_s, float p_gain);
-
 } // namespace ragdoll
