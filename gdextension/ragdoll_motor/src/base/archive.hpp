@@ -34,7 +34,7 @@ private:
 	std::vector<std::uint8_t> _bytes;
 };
 
-/// Reads such bytes. After the first value that is not there every further one is refused.
+/// Reads the bytes of an ArchiveWriter. Once a value is missing, every further one is refused.
 class ArchiveReader {
 public:
 	ArchiveReader(const std::uint8_t *p_bytes, std::size_t p_size) : _bytes(p_bytes), _size(p_size) {}

@@ -18,10 +18,10 @@ enum GuardAction : std::uint32_t {
 	GUARD_LOST = 8, ///< A limb's state was not finite: the body has to be put into the pose anew.
 };
 
-/// Bounds what a simulation can do to a body, so that nothing ever explodes, and says when it acts.
+/// Keeps a simulated body from exploding, and says when it had to act.
 ///
-/// Bounded are the kinetic energy of the limbs against the centre of mass, the speed of the centre of
-/// mass, and the gaps of the joints. The bounds are far above what a blow or a vehicle does to a person.
+/// It bounds the kinetic energy of the limbs against the centre of mass, the speed of the centre of mass, and the
+/// gaps of the joints. The bounds are far above what a blow or a vehicle does to a person.
 class EnergyGuard {
 public:
 	float max_energy = 60.0f; ///< Of the limbs against the centre of mass, J per kg of the body.

@@ -10,14 +10,15 @@
 
 namespace ragdoll {
 
-/// What it takes to move the limbs above the legs as the motion does: inverse dynamics, added to the motors.
+/// Adds to the motors the forces that the limbs above the legs need to move as the motion does: inverse dynamics.
 ///
 /// Newton's and Euler's equations of each limb under the motion's accelerations and gravity (Featherstone
 /// 2008, Rigid Body Dynamics Algorithms, section 5.3); the root gets the opposite of their sum, so that no
 /// force comes from outside. The engine's solver goes over the joints a limited number of times, which is
 /// too few for a chain of light and heavy bodies: what it begins with decides how far it gets. It knows
 /// nothing of contacts, and takes no more of a joint than its torque; what the motor gives comes on top of
-/// that. A joint that is weakened loses it faster than its strength: it is what a person does beforehand.
+/// that. It falls faster than the strength of a joint that is weakened: a person has
+/// to know beforehand to do it.
 class FeedForward {
 public:
 	FeedForward() = default;

@@ -9,7 +9,7 @@
 
 namespace ragdoll {
 
-/// How much torque a joint has while the motion turns it: the faster, the less, as in muscles (A. V.
+/// Limits a joint's torque while the motion turns it: the faster, the less, as in muscles (A. V.
 /// Hill 1938, "The heat of shortening and the dynamic constants of muscle", eq. 3).
 ///
 /// A motor has its whole torque at any speed: a fist that meets a crate would push it along like a
@@ -33,7 +33,7 @@ public:
 	explicit Muscles(std::size_t p_limb_count) :
 			_before(p_limb_count), _left(p_limb_count, 1.0f), _given(p_limb_count, 1.0f) {}
 
-	/// The joint's torque for a step, N m, at most p_whole. To be asked once a step.
+	/// The joint's greatest torque for a step, N m, at most p_whole. Call it once a step for each joint.
 	/// @param p_forward the motion's velocity relative to the parent, limb's axes, rad/s
 	/// @param p_missing what the joint lacks to its target velocity, rad/s
 	/// @param p_inertia what the joint has to turn, about the limb's axes, kg m^2

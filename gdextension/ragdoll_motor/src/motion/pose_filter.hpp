@@ -17,17 +17,17 @@ namespace ragdoll {
 /// (see Calm): a limb at rest is averaged for long, one that swings is followed.
 class PoseFilter {
 public:
-	/// Noise of each axis (rad) that counts as none: what optical recordings have.
+	/// Noise up to this (rad, each axis) counts as none: optical recordings have as much.
 	static constexpr float CLEAN = 0.002f;
-	/// Noise beyond this (rad) is not believed.
+	/// A measured noise is taken to be this at most, rad.
 	static constexpr float NOISIEST = 0.1f;
-	/// Over which the noise is averaged, s.
+	/// The noise is averaged over this time, s.
 	static constexpr float NOISE_S = 0.5f;
-	/// Over which a limb's surprises are averaged, s.
+	/// A limb's surprises are averaged over this time, s.
 	static constexpr float SURPRISE_S = 0.05f;
 	/// Noise (rad) at which the motion counts as half noise.
 	static constexpr float SHAKY = 0.009f;
-	/// The most of its surprises that is left out: a limb must be able to start.
+	/// At most this share of a surprise is left out, so that a limb at rest can start to move.
 	static constexpr float CALMEST = 0.95f;
 
 	explicit PoseFilter(std::size_t p_limb_count) : _limbs(p_limb_count), _levels(p_limb_count, 0.0f) {}

@@ -40,13 +40,13 @@ public:
 	static constexpr float TELEPORT_DISTANCE = 0.5f;
 	static constexpr float FASTEST_ROOT = 20.0f;
 
-	/// A gyroscope's rate above this (rad/s) is none: the sample's rates are estimated then.
+	/// A gyroscope's rate above this (rad/s) is wrong: the sample's rates are estimated instead.
 	static constexpr float FASTEST_GYRO = 100.0f;
-	/// Changes of rate below this say nothing about the next: of a limb (rad/s) and of the root (m/s).
+	/// A change of rate below this says nothing about the next change: of a limb (rad/s), of the root (m/s).
 	static constexpr float SMALL_TURN = 0.035f;
 	static constexpr float SMALL_SPEED = 0.02f;
-	/// So many samples in a row that are older than the newest (each newer than the one before) are a
-	/// clock that was set back, or a newest one whose time was wrong: the stream begins anew.
+	/// The stream begins anew after this many samples in a row that are older than the newest one, each newer
+	/// than the one before: the clock was set back, or the time of the newest sample was wrong.
 	static constexpr int CLOCK_SET_BACK = 30;
 
 	explicit PoseStream(std::size_t p_limb_count);

@@ -10,9 +10,9 @@
 
 namespace ragdoll {
 
-/// By how much a rate will have changed when the next sample comes.
+/// Predicts by how much a rate will have changed when the next sample comes.
 ///
-/// A rate that is told or measured is the past's: going on with it, a limb lags where it speeds up and
+/// A rate that a sample brings is that of the past. A limb that goes on with it lags where it speeds up, and
 /// overshoots where it brakes. How much of the last change of the rate comes again is learnt from the
 /// motion itself, as the one coefficient of a linear predictor by least squares with exponential
 /// forgetting (Haykin, Adaptive Filter Theory, recursive least squares): nearly all of it in a smooth
@@ -21,9 +21,9 @@ namespace ragdoll {
 /// little about what follows: only the usual size of it counts.
 class RatePredictor {
 public:
-	/// Over which the past is forgotten, s.
+	/// The past is forgotten over this time, s.
 	static constexpr float MEMORY_S = 0.5f;
-	/// How much larger than the root mean square before a change may be to count whole.
+	/// A change counts whole up to this many times the root mean square of the changes before it.
 	static constexpr float USUAL = 3.0f;
 	/// The least and the most of a change that comes again. White noise on positions gives -2/3, an
 	/// even acceleration 1.

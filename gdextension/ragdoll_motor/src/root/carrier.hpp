@@ -24,9 +24,9 @@ struct Ride {
 
 /// Finds what carries somebody - a platform, a lift, a vehicle's deck - and how it moves.
 ///
-/// Whatever the lowest limbs touch carries the person, each by how near it is to the ground. The body that
-/// is touched is followed by its position, not by its velocity, so that nobody drifts on it. In the air one
-/// goes on with it while it is still below, and slows down otherwise.
+/// Whatever the lowest limbs touch carries the person; the nearer to the ground a limb is, the more it counts. The body
+/// that is touched is followed by its position, not by its velocity, so that nobody drifts on it. In the air one goes
+/// on with it while it is still below, and slows down otherwise.
 class Carrier {
 public:
 	/// Begins a step: looks at what is below.
@@ -38,9 +38,9 @@ public:
 	/// How far it has moved since the last step, and will in this one if it goes on.
 	const Ride &get_past() const { return _past; }
 	const Ride &get_ahead() const { return _ahead; }
-	/// By how much the engine has carried the person along the tangent of the arc on which the ground turned
-	/// in the last step, and not along that, m. Friction does not bring it back: in half a minute at 30 deg/s
-	/// it is 7 cm for each metre from the pivot.
+	/// How far the engine has put the person off the arc on which the ground turned in the last step, m: it carries
+	/// along the tangent. Friction does not bring that back: in half a minute at 30 deg/s it comes to 7 cm for each
+	/// metre from the pivot.
 	const Vec3 &get_spiral() const { return _spiral; }
 
 	void save(ArchiveWriter &p_archive) const;

@@ -6,9 +6,9 @@
 
 namespace ragdoll {
 
-/// Where a body stays behind its motion because something is in its way: the motion's position gives in, and
-/// comes back as soon as the way is free. At any distance of the motion the root is pulled no further than
-/// REST or a step of coming back, so that nothing is pressed through a wall.
+/// Lets the motion's position give in where something is in the body's way, and brings it back as soon as nothing
+/// is. However far the motion is, the root is pulled by REST or one step of coming back only, so that nothing is
+/// pressed through a wall. When to use it: in the modes that pull the root to a known position (is_tethered()).
 ///
 /// Level only: the height is the motion's.
 class Tether {
@@ -16,15 +16,16 @@ public:
 	/// How far a body that is not pulled back may be off before the motion's position gives in, m: more than it is in
 	/// any motion without contacts (0.06 in a run), and than a person yields who is brushed in passing.
 	static constexpr float SLACK = 0.1f;
-	/// How far it remains off then, m: the root goes on pulling a little, to slide along what is in its way.
+	/// How far the body remains off while something holds it, m: the root goes on pulling a little, to slide along what
+	/// is in its way.
 	static constexpr float REST = 0.03f;
-	/// It comes back by this part of its length a second, but with so much at least, and with so much at most
-	/// as long as something may be in the way, m/s: faster than people walk, so that a body stays where it is
-	/// held until its wearer is there.
+	/// It comes back with BACK (1/s) times its length, with SLOWEST (m/s) at least, and with FAST (m/s) at most as
+	/// long as something may be in the way. FAST is faster than people walk: a body stays where it is held until
+	/// its wearer is there.
 	static constexpr float BACK = 4.0f;
 	static constexpr float SLOWEST = 0.25f;
 	static constexpr float FAST = 2.0f;
-	/// How much faster it comes each second that the way is free, m/s^2, and how fast at last, m/s.
+	/// Once nothing is in the way, that limit grows by FASTER (m/s^2) to FASTEST (m/s).
 	static constexpr float FASTER = 10.0f;
 	static constexpr float FASTEST = 10.0f;
 

@@ -20,7 +20,7 @@ struct Footing {
 	Vec3 origin; ///< Of that body, m.
 
 	bool moves() const { return velocity.length() > 0.0f || turning.length() > 0.0f; }
-	/// How far the ground at a place moves in a time, m. Turned, not along the tangent: in half a minute
+	/// How far the ground at p_at (m) moves in a time, m. Turned, not along the tangent: in half a minute
 	/// that would spiral out by centimetres.
 	Vec3 carry(const Vec3 &p_at, float p_delta_s) const {
 		const Vec3 arm = p_at - pivot;
