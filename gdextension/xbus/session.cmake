@@ -6,12 +6,9 @@ dismount_add_core_library(xbus_session SOURCES
 	src/session/session_requests.cpp
 	src/session/session_stream.cpp
 	src/session/suit_stream.cpp
-	LIBRARIES xbus_bus
+	LIBRARIES clock_core xbus_bus
 )
 dismount_add_core_test(xbus_test_session SOURCE tests/session/test_session.cpp LIBRARIES xbus_session xbus_emulator)
 # Counts allocations: it replaces its program's operators.
 dismount_add_test_program(xbus_test_no_session_allocation
 	SOURCE tests/session/test_no_session_allocation.cpp LIBRARIES xbus_session xbus_emulator)
-foreach(test source_clock stream_time)
-	dismount_add_core_test(xbus_${test} SOURCE tests/clock/test_${test}.cpp LIBRARIES xbus_bus)
-endforeach()

@@ -15,6 +15,7 @@ const _ROLES: String = "--help=roles"
 
 
 func _ready() -> void:
+	EngineErrors.leave_out_harmless()
 	get_tree().auto_accept_quit = true
 	var arguments: PackedStringArray = OS.get_cmdline_user_args()
 	if EditorSession.is_wanted(arguments):

@@ -11,7 +11,7 @@ const _COLUMN: int = 34
 const _WIDTH: int = 100
 const _INTRODUCTION: Array[String] = [
 	"# Options\n\n",
-	"Made by `%s` from the rows in `scripts/app/program_options.gd`; `./test lint` fails where",
+	"Made by `%s` from the `..._options.gd` of each feature; `./test lint` fails where",
 	" they differ.\n\nOptions are given as `--name=value` or `--name value`, or by the environment:",
 	" `DISMOUNT_MAX_CLIENTS=8` is `--max-clients=8`, or by a file (below). Arguments win. A role",
 	" refuses an option that it does not take; in the environment, which several roles share, it",

@@ -4,9 +4,9 @@ extends RefCounted
 ## that need the physics world are sampled in step with it: see [method sample_in_world].
 ##
 ## The samples of a moment go to a callable together and at once, in the thread that took them, and
-## wait here for the display of the own bodies. The times can be locked to another clock, so that samples reach
-## the server shortly before its ticks. While it runs nobody else may ask the sources for samples.
-## It must be stopped: a running thread keeps it alive.
+## wait here for the display of the own bodies. The times can be locked to another clock, so that
+## samples reach the server shortly before its ticks. While it runs nobody else may ask the sources
+## for samples. It must be stopped: a running thread keeps it alive.
 
 ## Maximum of a source's samples that wait for [method take_samples]; beyond it the oldest are
 ## dropped.

@@ -24,8 +24,8 @@ func sample(p_time_usec: int) -> PoseSample:
 	return taken
 
 
-## Whether it asks the physics world, for rays or the ground, as only the main thread may: then it is
-## sampled in physics frames, and not in the thread of the [MotionSampler].
+## Whether it asks the physics world, for rays or the ground, as only the main thread may: then it
+## is sampled in physics frames, and not in the thread of the [MotionSampler].
 func needs_world() -> bool:
 	return false
 

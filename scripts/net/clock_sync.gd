@@ -2,16 +2,15 @@ class_name ClockSync
 extends RefCounted
 ## Estimates the server's clock and tick from answers to [ClockMessage] questions.
 ##
-## The server's time in an answer lies between question and arrival, in the middle if both paths
-## took equally long. The quickest round trips of the last seconds bound the error most tightly: the
-## offset is theirs, and its slope over minutes is the drift of the two clocks.
+## An answer tells two delays: of the way there, by the server's clock and ours, and of the way
+## back. Half the difference of their quickest ([QuickestArrivals]) is the offset of the clocks, if
+## both ways take equally long at best, and the slope of it over minutes is the drift.
 
-## Span whose quickest round trip gives the offset, s.
-const WINDOW_S: float = 10.0
-## Span over which the drift is measured, s.
-const DRIFT_WINDOW_S: float = 120.0
-## Least span for a drift, s.
-const MIN_DRIFT_S: float = 15.0
+## Of each span of so long, s, the quickest answer counts; of the newest two before the drift is
+## known.
+const SPAN_S: float = 5.0
+## From so many spans on the drift is measured.
+const DRIFT_SPANS: int = 4
 ## Maximum drift of two clocks, parts per million; more is an error of measurement.
 const MAX_DRIFT_PPM: float = 300.0
 ## A round trip beyond this is of no use, s.
@@ -19,7 +18,7 @@ const MAX_TRIP_S: float = 2.0
 ## An offset that changes by this much means another clock, s.
 const JUMP_S: float = 1.0
 
-## Server's time minus ours, µs, at [method reference_usec].
+## Server's time minus ours at the newest answer, µs.
 var offset_usec: float = 0.0
 ## How much faster the server's clock runs, parts per million.
 var drift_ppm: float = 0.0
@@ -30,20 +29,19 @@ var round_trip_usec: int = 0
 ## Answers so far.
 var count: int = 0
 
-var _probes: Array[Probe] = []
-var _best: Array[Probe] = []
-var _at_usec: int = 0
+var _there: QuickestArrivals = QuickestArrivals.new()
+var _back: QuickestArrivals = QuickestArrivals.new()
+var _trip: QuickestArrivals = QuickestArrivals.new()
 var _tick: int = 0
 var _tick_usec: int = 0
 var _period_usec: float = 1e6 / 60.0
 var _last_trip_usec: int = -1
 
 
-## One answer.
-class Probe:
-	var local_usec: int = 0
-	var offset_usec: float = 0.0
-	var trip_usec: int = 0
+func _init() -> void:
+	_there.keep(SPAN_S, DRIFT_SPANS, MAX_DRIFT_PPM * 1e-6)
+	_back.keep(SPAN_S, DRIFT_SPANS, MAX_DRIFT_PPM * 1e-6)
+	_trip.keep(SPAN_S, 0, 0.0)
 
 
 ## Takes an answer that arrived at a local time, µs.
@@ -51,20 +49,20 @@ func arrived(p_packet: ClockMessage, p_arrival_usec: int) -> void:
 	var trip: int = p_arrival_usec - p_packet.asked_usec
 	if trip < 0 or trip > int(MAX_TRIP_S * 1e6):
 		return
-	var probe: Probe = Probe.new()
-	probe.local_usec = p_arrival_usec - trip / 2
-	probe.trip_usec = trip
-	probe.offset_usec = p_packet.server_usec - (p_arrival_usec - trip / 2.0)
-	if count > 0 and absf(probe.offset_usec - _offset_at(probe.local_usec)) > JUMP_S * 1e6:
+	var apart_usec: float = p_packet.server_usec - (p_arrival_usec - trip / 2.0)
+	if count > 0 and absf(apart_usec - _offset_at(p_arrival_usec)) > JUMP_S * 1e6:
 		clear()
 	if _last_trip_usec >= 0:
 		jitter_usec += (absi(trip - _last_trip_usec) - jitter_usec) / 16.0
 	_last_trip_usec = trip
 	count += 1
-	_probes.append(probe)
-	while _probes[0].local_usec < p_arrival_usec - int(WINDOW_S * 1e6):
-		_probes.pop_front()
-	_estimate()
+	var at_s: float = p_arrival_usec * 1e-6
+	_there.note(at_s, (p_packet.server_usec - p_packet.asked_usec) * 1e-6)
+	_back.note(at_s, (p_arrival_usec - p_packet.server_usec) * 1e-6)
+	_trip.note(at_s, trip * 1e-6)
+	offset_usec = _offset_at(p_arrival_usec)
+	drift_ppm = (_there.drift() - _back.drift()) / 2.0 * 1e6
+	round_trip_usec = roundi(_trip.delay_at(at_s) * 1e6)
 	if p_packet.tick_usec > _tick_usec or count == 1:
 		_tick = p_packet.tick
 		_tick_usec = p_packet.tick_usec
@@ -99,8 +97,9 @@ func local_usec_of_tick(p_tick: float) -> int:
 
 ## Forgets everything.
 func clear() -> void:
-	_probes.clear()
-	_best.clear()
+	_there.clear()
+	_back.clear()
+	_trip.clear()
 	count = 0
 	drift_ppm = 0.0
 	jitter_usec = 0.0
@@ -109,52 +108,7 @@ func clear() -> void:
 
 
 func _offset_at(p_local_usec: int) -> float:
-	return offset_usec + drift_ppm * 1e-6 * (p_local_usec - _at_usec)
-
-
-## The quickest probe of the window, aged by the drift, is the offset.
-func _estimate() -> void:
-	var best: Probe = null
-	var cost: float = INF
-	for probe: Probe in _probes:
-		# Old probes are less certain, by the error of the drift.
-		var age: float = _probes.back().local_usec - probe.local_usec
-		if probe.trip_usec / 2.0 + age * 20e-6 < cost:
-			cost = probe.trip_usec / 2.0 + age * 20e-6
-			best = probe
-	round_trip_usec = best.trip_usec
-	offset_usec = best.offset_usec
-	_at_usec = best.local_usec
-	_note_best(best)
-	_fit_drift()
-
-
-func _note_best(p_best: Probe) -> void:
-	if _best.is_empty() or _best.back() != p_best:
-		_best.append(p_best)
-	while _best[0].local_usec < p_best.local_usec - int(DRIFT_WINDOW_S * 1e6):
-		_best.pop_front()
-
-
-## The slope of the best probes by least squares, quick ones counting more.
-func _fit_drift() -> void:
-	var first: int = _best[0].local_usec
-	if _best.back().local_usec - first < int(MIN_DRIFT_S * 1e6):
-		return
-	var quickest: int = _best[0].trip_usec
-	for probe: Probe in _best:
-		quickest = mini(quickest, probe.trip_usec)
-	var sums: Array[float] = [0.0, 0.0, 0.0, 0.0, 0.0]
-	for probe: Probe in _best:
-		var weight: float = 1.0 / pow(200.0 + probe.trip_usec - quickest, 2.0)
-		var x: float = (probe.local_usec - first) / 1e6
-		var y: float = probe.offset_usec - _best[0].offset_usec
-		sums[0] += weight
-		sums[1] += weight * x
-		sums[2] += weight * y
-		sums[3] += weight * x * x
-		sums[4] += weight * x * y
-	var spread: float = sums[0] * sums[3] - sums[1] * sums[1]
-	if spread > 0.0:
-		var slope: float = (sums[0] * sums[4] - sums[1] * sums[2]) / spread
-		drift_ppm = clampf(slope, -MAX_DRIFT_PPM, MAX_DRIFT_PPM)
+	if not is_known():
+		return 0.0
+	var at_s: float = p_local_usec * 1e-6
+	return (_there.delay_at(at_s) - _back.delay_at(at_s)) / 2.0 * 1e6

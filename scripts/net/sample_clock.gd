@@ -2,22 +2,14 @@ class_name SampleClock
 extends RefCounted
 ## Finds for the server which moment of a wearer's motion is "now".
 ##
-## Samples carry the wearer's clock and arrive with a varying delay, which is never below a minimum:
-## the quickest arrival of the last one or two seconds gives the offset of the clocks. That
-## offset falls at once and rises slowly, so that clocks may drift and the network may become slower
-## without the motion going back in time. The moment advances by whole steps of the simulation and
-## is pulled gently to what the offset gives, so that jitter does not shake the ragdoll.
+## Samples carry the wearer's clock and arrive with a varying delay: [QuickestArrivals] gives the
+## offset of the clocks. The moment advances by whole steps of the simulation and is pulled gently
+## to what the offset gives, so that jitter does not shake the ragdoll.
 ##
 ## Where samples often come too late for the tick that needs them (jitter, a loaded machine), the
 ## moment waits for them by up to a tick: what is not known has to be foreseen, and the error of
 ## that grows with the square of the time.
 
-## Span whose quickest arrival counts, s.
-const WINDOW_S: float = 1.0
-## How fast the offset rises, seconds per second.
-const RISE: float = 0.1
-## A rise beyond this, s, is applied at once: the other machine has paused.
-const PAUSE_S: float = 0.25
 ## How much of the error is corrected per step.
 const CORRECTION: float = 0.1
 ## An error that has not lasted is corrected by no more than this per step, s: a tick that begins
@@ -33,15 +25,13 @@ const IN_TIME: float = 0.9
 const FREE_S: float = 0.002
 ## The longest wait, s.
 const MAX_WAIT_S: float = 1.0 / 60.0
+## Who has paused for so long is not waited for, s.
+const PAUSE_S: float = 0.25
 ## How fast the wait changes at most, seconds per second.
 const WAIT_RATE: float = 0.05
 
-# The server's time minus the wearer's at the quickest arrival, s; infinite before the first.
-var _offset_s: float = INF
-var _quickest_s: float = INF
-var _quickest_before_s: float = INF
-var _window_begin_s: float = -INF
-var _last_s: float = 0.0
+# The server's time minus the wearer's, at the server's time, s.
+var _offset: QuickestArrivals = QuickestArrivals.new()
 var _moment_s: float = -INF
 var _newest_s: float = -INF
 var _wait_s: float = 0.0
@@ -51,26 +41,19 @@ var _lasting_s: float = 0.0
 ## Takes note of a sample: its time in the wearer's clock and the server's time of arrival, s.
 func arrived(p_sample_s: float, p_now_s: float) -> void:
 	var offset: float = p_now_s - p_sample_s
-	if absf(offset - _offset_s) > JUMP_S:
-		_clear()
-	if p_now_s - _window_begin_s > WINDOW_S:
-		_window_begin_s = p_now_s
-		_quickest_before_s = _quickest_s
-		_quickest_s = INF
-	_quickest_s = minf(_quickest_s, offset)
-	var rise: float = minf(_quickest_s, _quickest_before_s) - _offset_s
-	if rise > 0.0 and rise <= PAUSE_S:
-		rise = minf(rise, maxf(p_now_s - _last_s, 0.0) * RISE)
-	# The first value replaces infinity.
-	_offset_s = offset if is_inf(_offset_s) else minf(_offset_s + maxf(rise, 0.0), offset)
-	_last_s = p_now_s
+	if absf(offset - _offset.delay_at(p_now_s)) > JUMP_S:
+		_offset.clear()
+		_newest_s = -INF
+		_wait_s = 0.0
+	_offset.note(p_now_s, offset)
 	_newest_s = maxf(_newest_s, p_sample_s)
 
 
 ## Goes on by a step and returns the moment of the motion, s in the wearer's clock.
 func advance(p_now_s: float, p_delta_s: float) -> float:
-	_adapt_wait(p_now_s - _offset_s - _newest_s - FREE_S, p_delta_s)
-	var wanted: float = p_now_s - _offset_s - _wait_s
+	var quickest_s: float = p_now_s - _offset.delay_at(p_now_s)
+	_adapt_wait(quickest_s - _newest_s - FREE_S, p_delta_s)
+	var wanted: float = quickest_s - _wait_s
 	var stepped: float = _moment_s + p_delta_s
 	# Written so that NaN, before the first sample, counts as a jump.
 	if not absf(wanted - stepped) <= JUMP_S:
@@ -92,12 +75,3 @@ func _adapt_wait(p_needed_s: float, p_delta_s: float) -> void:
 		return
 	var part: float = IN_TIME if p_needed_s > _wait_s else IN_TIME - 1.0
 	_wait_s = clampf(_wait_s + part * WAIT_RATE * p_delta_s, 0.0, MAX_WAIT_S)
-
-
-func _clear() -> void:
-	_newest_s = -INF
-	_wait_s = 0.0
-	_offset_s = INF
-	_quickest_s = INF
-	_quickest_before_s = INF
-	_window_begin_s = -INF

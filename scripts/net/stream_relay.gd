@@ -23,7 +23,7 @@ var _max_bytes: int = 0
 ## Relays messages of a kind whose senders have a capability (of [enum Roles.Capability]; 0: all),
 ## of each client so many a second, with at most so many bytes each. Who gets them says
 ## [code]func(session: int) -> PackedInt32Array[/code] with the sessions, such as
-## [method ServerPeople.sessions_near].
+## [code]NearbySessions.find[/code].
 func _init(
 	p_link: ServerLink,
 	p_kind: int,

@@ -7,10 +7,6 @@ extends Control
 ## What is broken is named at its line, and what was shown before goes on. A text with loops is
 ## first tried in a process of its own ([EffectSandbox]).
 
-## Height of the bars, and the least of the panes, px.
-const BAR: float = 30.0
-const STATUS: float = 44.0
-const GAP: float = 4.0
 ## The smallest studio that has room for the sliders, px.
 const WITH_PANEL: Vector2 = Vector2(600.0, 480.0)
 ## Time between two times that an unsaved text is kept, s.
@@ -59,32 +55,23 @@ func _ready() -> void:
 	back.color = Color(0.13, 0.14, 0.17)
 	back.set_anchors_preset(Control.PRESET_FULL_RECT)
 	add_child(back)
-	for part: Control in [_bar, code, preview, panel, _message, _status, _help]:
-		add_child(part)
+	theme = load(UiStyle.DENSE)
 	_help.editable = false
 	_help.text = StudioWords.everything()
 	_help.visible = false
 	_help.wrap_mode = TextEdit.LINE_WRAPPING_BOUNDARY
-	_help.add_theme_color_override("font_readonly_color", Color(0.9, 0.92, 0.95))
-	_help.add_theme_font_size_override("font_size", 13)
-	var opaque: StyleBoxFlat = StyleBoxFlat.new()
-	opaque.bg_color = Color(0.1, 0.12, 0.16)
-	opaque.set_content_margin_all(8.0)
-	_help.add_theme_stylebox_override("read_only", opaque)
 	for label: Label in [_message, _status]:
 		label.clip_text = true
-		label.add_theme_font_size_override("font_size", 13)
+	_put_together()
 	_connect_parts()
 	sandbox.start()
 	RenderingServer.frame_post_draw.connect(_on_frame_drawn)
-	resized.connect(_lay_out)
-	_lay_out()
+	resized.connect(_show_panel)
+	_show_panel()
 	var asked: String = _asked_effect()
 	_bar.show_names(file.names(), asked)
 	open_effect(asked)
 	code.grab_focus()
-	# Buttons know how wide they are only then.
-	_lay_out.call_deferred()
 
 
 func _process(p_delta: float) -> void:
@@ -175,6 +162,7 @@ func do(p_what: String) -> void:
 			_session.send(file.name, code.text)
 		"help":
 			_help.visible = not _help.visible
+			code.visible = not _help.visible
 		"new":
 			_make_new()
 
@@ -374,25 +362,25 @@ func _show_status() -> void:
 	_status.text = "   ".join(parts)
 
 
-func _lay_out() -> void:
-	_bar.position = Vector2.ZERO
-	_bar.size.x = size.x
-	var top: float = _bar.lay_out() + GAP
-	var bottom: float = size.y - STATUS
-	var middle: float = size.x * 0.46
-	code.position = Vector2(GAP, top)
-	code.size = Vector2(middle - GAP, bottom - top)
-	_help.position = code.position
-	_help.size = code.size
-	var right: Vector2 = Vector2(middle + GAP, top)
-	var room: Vector2 = Vector2(size.x - middle - 2.0 * GAP, bottom - top)
+## The bar, then code (or help) beside picture and sliders, and two lines at the foot.
+func _put_together() -> void:
+	var all: VBoxContainer = VBoxContainer.new()
+	all.set_anchors_preset(Control.PRESET_FULL_RECT)
+	add_child(all)
+	var middle: HBoxContainer = HBoxContainer.new()
+	var right: VBoxContainer = VBoxContainer.new()
+	for part: Control in [_bar, middle, _message, _status]:
+		all.add_child(part)
+	for part: Control in [code, _help, right]:
+		part.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+		middle.add_child(part)
+	for part: Control in [preview, panel]:
+		part.size_flags_vertical = Control.SIZE_EXPAND_FILL
+		right.add_child(part)
+	middle.size_flags_vertical = Control.SIZE_EXPAND_FILL
+	right.size_flags_stretch_ratio = 1.17
+	preview.size_flags_stretch_ratio = 1.5
+
+
+func _show_panel() -> void:
 	panel.visible = size.x >= WITH_PANEL.x and size.y >= WITH_PANEL.y
-	var share: float = 0.6 if panel.visible else 1.0
-	preview.position = right
-	preview.size = Vector2(room.x, room.y * share)
-	panel.position = right + Vector2(0.0, room.y * share + GAP)
-	panel.size = Vector2(room.x, room.y * (1.0 - share) - GAP)
-	_message.position = Vector2(GAP, bottom)
-	_message.size = Vector2(size.x - 2.0 * GAP, STATUS * 0.5)
-	_status.position = Vector2(GAP, bottom + STATUS * 0.5)
-	_status.size = _message.size

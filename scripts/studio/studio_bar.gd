@@ -1,6 +1,6 @@
 @tool
 class_name StudioBar
-extends Control
+extends HFlowContainer
 ## The studio's buttons. They stand in as many rows as the width needs.
 
 ## A button was pressed: one of [constant BUTTONS].
@@ -30,12 +30,8 @@ const BUTTONS: Dictionary[String, Array] = {
 	"send": ["Send", "to everybody in the session at the address"],
 	"help": ["Help", "F1: all settings and words"],
 }
-const ROW: float = 28.0
-const GAP: float = 3.0
-
 var _names: OptionButton = OptionButton.new()
 var _address: LineEdit = LineEdit.new()
-var _parts: Array[Control] = []
 
 
 func _init() -> void:
@@ -78,39 +74,18 @@ func address() -> String:
 	return _address.text.strip_edges()
 
 
-## Puts everything into rows. Returns the height, px.
-func lay_out() -> float:
-	var at: Vector2 = Vector2(GAP, GAP)
-	for part: Control in _parts:
-		var width: float = maxf(part.custom_minimum_size.x, part.get_combined_minimum_size().x)
-		if at.x + width > size.x and at.x > GAP:
-			at = Vector2(GAP, at.y + ROW)
-		part.position = at
-		part.size = Vector2(width, ROW - GAP)
-		at.x += width + GAP
-	size.y = at.y + ROW
-	return size.y
-
-
 func _add(p_part: Control, p_tip: String, p_width: float) -> void:
 	p_part.tooltip_text = p_tip
 	p_part.custom_minimum_size.x = p_width
-	p_part.add_theme_font_size_override("font_size", 12)
 	p_part.focus_mode = Control.FOCUS_CLICK
-	_parts.append(p_part)
 	add_child(p_part)
 
 
 func _add_slider(
 	p_name: String, p_from: float, p_to: float, p_value: float, p_taker: Callable
 ) -> void:
-	var label: Label = Label.new()
-	label.text = p_name
-	_add(label, p_name, 0.0)
-	var slider: HSlider = HSlider.new()
-	slider.min_value = p_from
-	slider.max_value = p_to
-	slider.step = 0.05
-	slider.value = p_value
-	slider.value_changed.connect(p_taker)
-	_add(slider, p_name, 70.0)
+	var row: UiSlider = UiSlider.new(p_name, Vector3(p_from, p_to, 0.05), "", "", 0.0)
+	row.show_value(p_value)
+	row.slider.focus_mode = Control.FOCUS_CLICK
+	row.moved.connect(p_taker)
+	_add(row, p_name, 0.0)

@@ -1,6 +1,6 @@
 @tool
 class_name StudioPanel
-extends Control
+extends ScrollContainer
 ## Sliders and pickers of an effect, made from its header, its inputs and its uniforms. What is
 ## moved changes the text itself, except for inputs: those belong to the emitter.
 
@@ -11,7 +11,6 @@ signal default_wanted(p_name: String, p_value: String)
 ## An input of the emitter has changed.
 signal input_wanted(p_name: StringName, p_value: Variant)
 
-const ROW: float = 26.0
 ## What the sliders of some settings go to, where the bounds are far from what is usual. A number
 ## beyond it can be typed.
 const USUAL: Dictionary[String, Vector2] = {
@@ -22,25 +21,14 @@ const USUAL: Dictionary[String, Vector2] = {
 
 var _file: EffectFile = null
 var _rows: Dictionary[String, StudioRow] = {}
-var _content: Control = Control.new()
-var _bar: VScrollBar = VScrollBar.new()
+var _content: GridContainer = GridContainer.new()
 
 
 func _init() -> void:
-	clip_contents = true
+	horizontal_scroll_mode = ScrollContainer.SCROLL_MODE_DISABLED
+	_content.size_flags_horizontal = Control.SIZE_EXPAND_FILL
 	add_child(_content)
-	add_child(_bar)
-	_bar.value_changed.connect(func(value: float) -> void: _content.position.y = -value)
-	resized.connect(_lay_out)
-
-
-func _gui_input(p_event: InputEvent) -> void:
-	var button: InputEventMouseButton = p_event as InputEventMouseButton
-	if button != null and button.pressed:
-		if button.button_index == MOUSE_BUTTON_WHEEL_DOWN:
-			_bar.value += ROW
-		elif button.button_index == MOUSE_BUTTON_WHEEL_UP:
-			_bar.value -= ROW
+	resized.connect(func() -> void: _content.columns = 2 if size.x > 520.0 else 1)
 
 
 ## Shows what a file without problems has. Rows that are already there keep their place.
@@ -57,7 +45,6 @@ func show_file(p_file: EffectFile, p_uniforms: Array) -> void:
 		if not wanted.has(name):
 			_rows[name].queue_free()
 			_rows.erase(name)
-	_lay_out()
 
 
 ## The row of a setting ("@life"), input or uniform, for tests; null if there is none.
@@ -125,8 +112,8 @@ func _show_setting(p_key: EffectKey, p_wanted: Dictionary[String, bool]) -> void
 			var ends: Vector2 = USUAL.get(p_key.name, Vector2(p_key.minimum, p_key.maximum))
 			var lowest: float = minf(ends.x, value)
 			var step: float = 1.0 if p_key.kind == EffectKey.Kind.WHOLE else 0.0
-			shown.show_number(lowest, maxf(ends.y, value), step)
-			shown.limits = Vector2(p_key.minimum, p_key.maximum)
+			var limits: Vector2 = Vector2(p_key.minimum, p_key.maximum)
+			shown.show_number(lowest, maxf(ends.y, value), step, limits)
 			shown.set_number(value)
 		EffectKey.Kind.YES_NO:
 			shown.show_choices(["no", "yes"], "yes" if value else "no")
@@ -158,23 +145,3 @@ func _on_uniform_colour(p_colours: PackedColorArray, p_name: String) -> void:
 	for part: float in [p_colours[0].r, p_colours[0].g, p_colours[0].b]:
 		parts.append(HeaderEdit.code_number(part))
 	default_wanted.emit(p_name, "vec3(%s)" % ", ".join(parts))
-
-
-func _lay_out() -> void:
-	var columns: int = 2 if size.x > 520.0 else 1
-	var width: float = (size.x - 12.0) / columns
-	var per_column: int = ceili(float(_rows.size()) / columns)
-	var index: int = 0
-	for name: String in _rows:
-		var column: int = index / maxi(per_column, 1)
-		_rows[name].position = Vector2(column * width, (index - column * per_column) * ROW)
-		_rows[name].size = Vector2(width - 8.0, ROW - 2.0)
-		index += 1
-	var height: float = per_column * ROW
-	_content.size = Vector2(size.x - 12.0, height)
-	_bar.position = Vector2(size.x - 10.0, 0.0)
-	_bar.size = Vector2(10.0, size.y)
-	_bar.max_value = height
-	_bar.page = size.y
-	_bar.visible = height > size.y
-	_content.position.y = -_bar.value

@@ -3,15 +3,21 @@ extends TestCase
 ## back to a start screen needs it.
 
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
+const GreetingPart: GDScript = preload("greeting_part.gd")
 const CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
 const FPS: int = 77
 
 var _pair: LinkPair = null
 var _codes: Array[int] = []
+## What is listed besides the program's own.
+var _more_parts: PackedStringArray = []
+var _more_rows: Array[OptionRow] = []
 
 
 func before_each() -> void:
 	_codes.clear()
+	_more_parts = []
+	_more_rows = []
 	_pair = LinkPair.new()
 	_pair.rules.level_name = "hall"
 	equal(_pair.listen(), OK)
@@ -45,6 +51,30 @@ func test_a_fault_of_any_part_ends_the_client_and_all_that_was_open() -> void:
 	equal(_pair.joined.size(), 0)
 
 
+func test_a_part_needs_only_to_be_listed() -> void:
+	var greeted: PackedStringArray = []
+	_pair.server.handle(
+		GreetingPart.KIND,
+		MessageHandlers.Path.RELIABLE,
+		func(session: Session, bytes: PackedByteArray, _arrival_usec: int) -> String:
+			greeted.append(bytes.slice(1).get_string_from_utf8())
+			_pair.server.send_reliably([session.id], bytes)
+			return ""
+	)
+	_more_parts = [GreetingPart.resource_path]
+	_more_rows = GreetingPart.rows()
+	var client: Client = _begin("observer", ["--port=%d" % _pair.port, "--greet=Ada"])
+	var note: Label = client.get_node(^"Hud").get(&"_note")
+	await _until(func() -> bool: return note.text.contains("Greetings, Ada"))
+	equal(greeted, PackedStringArray(["Ada"]))
+	client.free()
+	allow_error("--greet")
+	client = _begin("observer", ["--port=%d" % _pair.port, "--greet=a/b"])
+	await _until(func() -> bool: return not _codes.is_empty())
+	equal(_codes, [StateStream.EXIT_OPTIONS])
+	client.free()
+
+
 func test_a_replay_without_a_file_says_what_it_lacks() -> void:
 	allow_error("--file=FILE")
 	var client: Client = _begin(ProgramRoles.REPLAY, [])
@@ -54,10 +84,11 @@ func test_a_replay_without_a_file_says_what_it_lacks() -> void:
 
 
 func _begin(p_role: String, p_arguments: PackedStringArray) -> Client:
-	var options: Options = ProgramOptions.parse(p_arguments, p_role)
+	var rows: Array[OptionRow] = ProgramOptions.rows() + _more_rows
+	var options: Options = Options.parse(rows, p_arguments, p_role)
 	equal(options.error, "")
 	var client: Client = CLIENT.instantiate()
-	client.configure(p_role, options, ProgramParts.of_client(p_role))
+	client.configure(p_role, options, ProgramParts.of_client(p_role) + _more_parts)
 	client.left.connect(func(code: int) -> void: _codes.append(code))
 	add_child(client)
 	return client

@@ -142,9 +142,11 @@ func test_it_lays_out_in_a_small_window() -> void:
 		await process_frames(2)
 		var area: Rect2 = Rect2(Vector2.ZERO, size)
 		for part: Control in [_studio.code, _studio.preview]:
-			is_true(area.encloses(part.get_rect()), "%s in %s" % [part.get_rect(), area])
+			is_true(
+				area.encloses(part.get_global_rect()), "%s in %s" % [part.get_global_rect(), area]
+			)
 			is_true(part.size.x > 200.0 and part.size.y > 150.0, "%s" % part.size)
-		is_false(_studio.code.get_rect().intersects(_studio.preview.get_rect()))
+		is_false(_studio.code.get_global_rect().intersects(_studio.preview.get_global_rect()))
 
 
 func _type(p_text: String) -> void:

@@ -155,7 +155,7 @@ def test_the_studio_sends_to_a_session(
 ) -> None:
     before = session.taken()
     said = session.server.log().count("'square' goes to all clients")
-    address, send = (715, 15), (801, 15)
+    address, send = (812, 15), (903, 15)
     studio.screen.click(*address)
     studio.press("Control_L", "a")
     studio.type(f"127.0.0.1:{shared_world.port}")

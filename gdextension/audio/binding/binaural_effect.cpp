@@ -47,7 +47,6 @@ Ref<AudioEffectInstance> BinauralEffect::_instantiate() {
 void BinauralEffect::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_head", "head"), &BinauralEffect::set_head);
 	ClassDB::bind_method(D_METHOD("set_direction", "direction"), &BinauralEffect::set_direction);
-	ClassDB::bind_method(D_METHOD("get_direction"), &BinauralEffect::get_direction);
 }
 
 void BinauralEffectInstance::_process(const void *p_source, AudioFrame *p_target, int32_t p_frames) {

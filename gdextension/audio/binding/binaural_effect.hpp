@@ -30,7 +30,6 @@ class BinauralEffect : public AudioEffect {
 public:
 	void set_head(const Ref<BinauralHead> &p_head);
 	void set_direction(const Vector3 &p_direction);
-	Vector3 get_direction() const { return _direction; }
 
 	Ref<AudioEffectInstance> _instantiate() override;
 

@@ -16,7 +16,6 @@ class BinauralHead : public RefCounted {
 public:
 	String open(const PackedByteArray &p_bytes, double p_rate);
 	bool is_open() const { return _head.is_open(); }
-	PackedFloat32Array find_filter(const Vector3 &p_direction) const;
 
 	const audio::Head &head() const { return _head; }
 

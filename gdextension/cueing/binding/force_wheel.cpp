@@ -27,10 +27,6 @@ bool ForceWheel::can(Force p_force) const {
 	return _core.report().can[std::size_t(p_force)];
 }
 
-String ForceWheel::get_device_name() const {
-	return String::utf8(_core.report().name.c_str());
-}
-
 String ForceWheel::get_trouble() const {
 	return String::utf8(_core.report().trouble.c_str());
 }
@@ -53,10 +49,7 @@ void ForceWheel::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_open"), &ForceWheel::is_open);
 	ClassDB::bind_method(D_METHOD("is_connected_to_device"), &ForceWheel::is_connected_to_device);
 	ClassDB::bind_method(D_METHOD("can", "force"), &ForceWheel::can);
-	ClassDB::bind_method(D_METHOD("get_device_name"), &ForceWheel::get_device_name);
 	ClassDB::bind_method(D_METHOD("get_trouble"), &ForceWheel::get_trouble);
-	ClassDB::bind_method(D_METHOD("get_updates"), &ForceWheel::get_updates);
-	ClassDB::bind_method(D_METHOD("get_longest_update"), &ForceWheel::get_longest_update);
 	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &ForceWheel::set_gain);
 	ClassDB::bind_method(D_METHOD("set_constant", "level"), &ForceWheel::set_constant);
 	ClassDB::bind_method(D_METHOD("set_spring", "strength", "centre", "dead_band"), &ForceWheel::set_spring);

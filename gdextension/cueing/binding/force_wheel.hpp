@@ -30,10 +30,7 @@ public:
 	bool is_open() const { return _core.is_open(); }
 	bool is_connected_to_device() const { return _core.report().is_there; }
 	bool can(Force p_force) const;
-	String get_device_name() const;
 	String get_trouble() const;
-	int64_t get_updates() const { return int64_t(_core.report().updates); }
-	double get_longest_update() const { return _core.report().longest_s; }
 	void set_gain(double p_gain) { _core.set_gain(p_gain); }
 	void set_constant(double p_level) { _forces.constant = p_level; }
 	void set_spring(double p_strength, double p_centre, double p_dead_band);

@@ -86,7 +86,6 @@ void PlatformSender::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_paused", "paused"), &PlatformSender::set_paused);
 	ClassDB::bind_method(D_METHOD("get_error"), &PlatformSender::get_error);
 	ClassDB::bind_method(D_METHOD("get_sent"), &PlatformSender::get_sent);
-	ClassDB::bind_method(D_METHOD("get_failed"), &PlatformSender::get_failed);
 	ClassDB::bind_method(D_METHOD("get_latest"), &PlatformSender::get_latest);
 	ClassDB::bind_method(D_METHOD("get_position"), &PlatformSender::get_position);
 	ClassDB::bind_method(D_METHOD("get_attitude"), &PlatformSender::get_attitude);

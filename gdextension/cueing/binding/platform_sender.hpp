@@ -39,7 +39,6 @@ public:
 	void set_paused(bool p_paused) { _core.set_paused(p_paused); }
 	String get_error() const;
 	int64_t get_sent() const { return int64_t(_core.report().sent); }
-	int64_t get_failed() const { return int64_t(_core.report().failed); }
 	double get_latest() const { return _core.report().latest_s; }
 	Vector3 get_position() const;
 	Vector3 get_attitude() const;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "error_filter.hpp"
 #include "private_file.hpp"
 #include "runtime_probe.hpp"
 #include "stall_guard.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(ErrorFilter);
 		GDREGISTER_CLASS(PrivateFile);
 		GDREGISTER_CLASS(RuntimeProbe);
 		GDREGISTER_CLASS(StallGuard);
@@ -27,6 +29,7 @@ void initialize(ModuleInitializationLevel p_level) {
 
 void terminate(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		ErrorFilter::close();
 		StopSignal::forget();
 	}
 }

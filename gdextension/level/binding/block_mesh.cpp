@@ -69,10 +69,6 @@ void BlockMesh::set_solids_only(bool p_solids_only) {
 	_solids_only = p_solids_only;
 }
 
-bool BlockMesh::is_solids_only() const {
-	return _solids_only;
-}
-
 void BlockMesh::face(const Vector3 &p_corner, const Vector3 &p_right, const Vector3 &p_up, const Vector2 &p_size,
 		int64_t p_layer, int64_t p_tint, const PackedVector4Array &p_holes) {
 	if (_solids_only) {
@@ -160,16 +156,6 @@ PackedVector3Array BlockMesh::get_points() const {
 	return points;
 }
 
-PackedVector3Array BlockMesh::get_shadow() const {
-	PackedVector3Array corners;
-	corners.resize(int64_t(_core.shadow().size()));
-	Vector3 *to = corners.ptrw();
-	for (const level::Vec3 &corner : _core.shadow()) {
-		*to++ = from_core(corner);
-	}
-	return corners;
-}
-
 int64_t BlockMesh::get_solid_count() const {
 	return int64_t(_core.solids().size());
 }
@@ -252,7 +238,6 @@ void BlockMesh::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_dust", "amount", "ground_y"), &BlockMesh::set_dust);
 	ClassDB::bind_method(D_METHOD("set_finest", "finest"), &BlockMesh::set_finest);
 	ClassDB::bind_method(D_METHOD("set_solids_only", "solids_only"), &BlockMesh::set_solids_only);
-	ClassDB::bind_method(D_METHOD("is_solids_only"), &BlockMesh::is_solids_only);
 	ClassDB::bind_method(D_METHOD("face", "corner", "right", "up", "size", "layer", "tint", "holes"), &BlockMesh::face,
 			DEFVAL(PackedVector4Array()));
 	ClassDB::bind_method(D_METHOD("quad", "a", "b", "c", "d", "layer", "tint"), &BlockMesh::quad);
@@ -267,7 +252,6 @@ void BlockMesh::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_vertex_count"), &BlockMesh::get_vertex_count);
 	ClassDB::bind_method(D_METHOD("get_triangle_count"), &BlockMesh::get_triangle_count);
 	ClassDB::bind_method(D_METHOD("get_points"), &BlockMesh::get_points);
-	ClassDB::bind_method(D_METHOD("get_shadow"), &BlockMesh::get_shadow);
 	ClassDB::bind_method(D_METHOD("get_solid_count"), &BlockMesh::get_solid_count);
 	ClassDB::bind_method(D_METHOD("get_solid_place", "index"), &BlockMesh::get_solid_place);
 	ClassDB::bind_method(D_METHOD("get_solid_size", "index"), &BlockMesh::get_solid_size);

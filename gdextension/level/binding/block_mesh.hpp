@@ -40,7 +40,6 @@ public:
 	void set_dust(double p_amount, double p_ground_y);
 	void set_finest(double p_finest);
 	void set_solids_only(bool p_solids_only);
-	bool is_solids_only() const;
 
 	void face(const Vector3 &p_corner, const Vector3 &p_right, const Vector3 &p_up, const Vector2 &p_size,
 			int64_t p_layer, int64_t p_tint, const PackedVector4Array &p_holes);
@@ -58,7 +57,6 @@ public:
 	int64_t get_vertex_count() const;
 	int64_t get_triangle_count() const;
 	PackedVector3Array get_points() const;
-	PackedVector3Array get_shadow() const;
 	int64_t get_solid_count() const;
 	Transform3D get_solid_place(int64_t p_index) const;
 	Vector3 get_solid_size(int64_t p_index) const;

@@ -183,10 +183,6 @@ PackedByteArray LevelTracer::get_seen_cells() const {
 	return _visibility ? to_bytes(_visibility->cells()) : PackedByteArray();
 }
 
-PackedByteArray LevelTracer::get_open_cells() const {
-	return _visibility ? to_bytes(_visibility->open()) : PackedByteArray();
-}
-
 void LevelTracer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_palette", "layers", "tints"), &LevelTracer::set_palette);
 	ClassDB::bind_method(D_METHOD("set_suns", "morning", "noon", "evening"), &LevelTracer::set_suns);
@@ -204,7 +200,6 @@ void LevelTracer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_divisions"), &LevelTracer::get_divisions);
 	ClassDB::bind_method(D_METHOD("get_seen_parts"), &LevelTracer::get_seen_parts);
 	ClassDB::bind_method(D_METHOD("get_seen_cells"), &LevelTracer::get_seen_cells);
-	ClassDB::bind_method(D_METHOD("get_open_cells"), &LevelTracer::get_open_cells);
 }
 
 } // namespace godot

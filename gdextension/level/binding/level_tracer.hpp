@@ -40,7 +40,6 @@ public:
 	bool survey(const Vector3 &p_origin, double p_size, const Vector3i &p_counts);
 	PackedByteArray get_seen_parts() const;
 	PackedByteArray get_seen_cells() const;
-	PackedByteArray get_open_cells() const;
 
 protected:
 	static void _bind_methods();

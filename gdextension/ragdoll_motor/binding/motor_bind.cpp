@@ -123,8 +123,6 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("get_tether"), &RagdollMotor::get_tether);
 	ClassDB::bind_method(D_METHOD("get_balance"), &RagdollMotor::get_balance);
 	ClassDB::bind_method(D_METHOD("is_flying"), &RagdollMotor::is_flying);
-	ClassDB::bind_method(D_METHOD("get_contact_weights"), &RagdollMotor::get_contact_weights);
-	ClassDB::bind_method(D_METHOD("get_internal_energy"), &RagdollMotor::get_internal_energy);
 	ClassDB::bind_method(D_METHOD("save_state"), &RagdollMotor::save_state);
 	ClassDB::bind_method(D_METHOD("restore_state", "bytes"), &RagdollMotor::restore_state);
 	ClassDB::bind_method(D_METHOD("get_state_hash"), &RagdollMotor::get_state_hash);

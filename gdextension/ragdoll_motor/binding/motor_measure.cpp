@@ -100,12 +100,4 @@ bool RagdollMotor::is_flying() const {
 	return _driver && _driver->get_travel() && _driver->get_travel()->is_flying();
 }
 
-PackedFloat32Array RagdollMotor::get_contact_weights() const {
-	return _driver && _driver->get_travel() ? to_packed(_driver->get_travel()->get_weights()) : PackedFloat32Array();
-}
-
-double RagdollMotor::get_internal_energy() {
-	return _driver && _bodies->read(_state) ? ragdoll::EnergyGuard::internal_energy(_driver->get_rig(), _state) : 0.0;
-}
-
 } // namespace godot

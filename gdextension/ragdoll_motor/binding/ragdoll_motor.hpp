@@ -122,8 +122,6 @@ public:
 	Vector3 get_tether() const;
 	Dictionary get_balance() const;
 	bool is_flying() const;
-	PackedFloat32Array get_contact_weights() const;
-	double get_internal_energy();
 
 	// State.
 	PackedByteArray save_state();

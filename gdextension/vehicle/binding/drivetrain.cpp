@@ -96,7 +96,6 @@ void VehicleDrivetrain::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_load"), &VehicleDrivetrain::get_load);
 	ClassDB::bind_method(D_METHOD("get_torque"), &VehicleDrivetrain::get_torque);
 	ClassDB::bind_method(D_METHOD("get_gear"), &VehicleDrivetrain::get_gear);
-	ClassDB::bind_method(D_METHOD("is_shifting"), &VehicleDrivetrain::is_shifting);
 	ClassDB::bind_method(D_METHOD("get_brake"), &VehicleDrivetrain::get_brake);
 	ClassDB::bind_method(D_METHOD("get_steer_angle"), &VehicleDrivetrain::get_steer_angle);
 	ClassDB::bind_method(D_METHOD("get_left_force"), &VehicleDrivetrain::get_left_force);

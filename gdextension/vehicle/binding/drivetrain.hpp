@@ -43,7 +43,6 @@ public:
 	double get_load() const { return _core.engine.load(); }
 	double get_torque() const { return _core.engine.torque(); }
 	int64_t get_gear() const { return _core.gearbox.gear(); }
-	bool is_shifting() const { return _core.gearbox.is_shifting(); }
 	double get_brake() const { return _core.brake(); }
 	double get_steer_angle() const { return _core.settings.is_tracked ? 0.0 : _core.wheels.angle(); }
 	double get_left_force() const { return _core.forces().left; }

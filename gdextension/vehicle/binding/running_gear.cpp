@@ -188,10 +188,6 @@ Vector3 RunningGear::get_contact_point(int64_t p_wheel) {
 	return wheel_at(p_wheel) != nullptr ? ground_of(_order[std::size_t(p_wheel)]).point : Vector3();
 }
 
-Vector3 RunningGear::get_contact_normal(int64_t p_wheel) {
-	return wheel_at(p_wheel) != nullptr ? ground_of(_order[std::size_t(p_wheel)]).normal : Vector3();
-}
-
 Vector3 RunningGear::get_ground_velocity(int64_t p_wheel) {
 	return wheel_at(p_wheel) != nullptr ? ground_of(_order[std::size_t(p_wheel)]).velocity : Vector3();
 }
@@ -202,7 +198,6 @@ void RunningGear::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("is_set_up"), &RunningGear::is_set_up);
 	ClassDB::bind_method(D_METHOD("step", "delta"), &RunningGear::step);
 	ClassDB::bind_method(D_METHOD("place"), &RunningGear::place);
-	ClassDB::bind_method(D_METHOD("get_speed"), &RunningGear::get_speed);
 	ClassDB::bind_method(D_METHOD("get_left_speed"), &RunningGear::get_left_speed);
 	ClassDB::bind_method(D_METHOD("get_right_speed"), &RunningGear::get_right_speed);
 	ClassDB::bind_method(D_METHOD("get_wheel_count"), &RunningGear::get_wheel_count);
@@ -214,7 +209,6 @@ void RunningGear::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_wheel_slip", "wheel"), &RunningGear::get_wheel_slip);
 	ClassDB::bind_method(D_METHOD("is_wheel_on_ground", "wheel"), &RunningGear::is_wheel_on_ground);
 	ClassDB::bind_method(D_METHOD("get_contact_point", "wheel"), &RunningGear::get_contact_point);
-	ClassDB::bind_method(D_METHOD("get_contact_normal", "wheel"), &RunningGear::get_contact_normal);
 	ClassDB::bind_method(D_METHOD("get_ground_velocity", "wheel"), &RunningGear::get_ground_velocity);
 	ClassDB::bind_method(D_METHOD("set_rolling_resistance", "share"), &RunningGear::set_rolling_resistance);
 	ClassDB::bind_method(D_METHOD("get_rolling_resistance"), &RunningGear::get_rolling_resistance);

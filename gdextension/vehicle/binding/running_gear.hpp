@@ -30,7 +30,6 @@ public:
 
 	double get_left_speed() const { return _motion.left; }
 	double get_right_speed() const { return _motion.right; }
-	double get_speed() const { return _motion.speed; }
 	int64_t get_wheel_count() const { return int64_t(_wheels.size()); }
 	TypedArray<RID> get_bodies() const;
 	Transform3D get_wheel_transform(int64_t p_wheel) const;
@@ -40,7 +39,6 @@ public:
 	double get_wheel_slip(int64_t p_wheel);
 	bool is_wheel_on_ground(int64_t p_wheel);
 	Vector3 get_contact_point(int64_t p_wheel);
-	Vector3 get_contact_normal(int64_t p_wheel);
 	Vector3 get_ground_velocity(int64_t p_wheel);
 
 	void set_rolling_resistance(double p_share) { _rolling_resistance = float(p_share); }

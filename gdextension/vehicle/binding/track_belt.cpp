@@ -86,7 +86,6 @@ void TrackBelt::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_buffer"), &TrackBelt::get_buffer);
 	ClassDB::bind_method(D_METHOD("get_outline"), &TrackBelt::get_outline);
 	ClassDB::bind_method(D_METHOD("get_link_count"), &TrackBelt::get_link_count);
-	ClassDB::bind_method(D_METHOD("get_tight_length"), &TrackBelt::get_tight_length);
 	ClassDB::bind_method(D_METHOD("get_pitch"), &TrackBelt::get_pitch);
 	ClassDB::bind_method(D_METHOD("get_sag"), &TrackBelt::get_sag);
 	ClassDB::bind_method(D_METHOD("get_sprocket_angle", "way"), &TrackBelt::get_sprocket_angle);

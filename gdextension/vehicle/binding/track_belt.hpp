@@ -25,7 +25,6 @@ public:
 	PackedFloat32Array get_buffer() const { return _buffer; }
 	PackedVector2Array get_outline() const;
 	int64_t get_link_count() const { return int64_t(_belt.link_count()); }
-	double get_tight_length() const { return _belt.tight_length(); }
 	double get_pitch() const { return _belt.drawn_pitch(); }
 	double get_sag() const { return _belt.sag(); }
 	double get_sprocket_angle(double p_way) const { return _belt.sprocket_angle(p_way); }

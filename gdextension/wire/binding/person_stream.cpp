@@ -154,7 +154,6 @@ void PersonStream::_bind_methods() {
 			"PersonStream", D_METHOD("resolution_for", "max_error_deg"), &PersonStream::resolution_for);
 	ClassDB::bind_method(D_METHOD("setup", "parents", "resolution"), &PersonStream::setup);
 	ClassDB::bind_method(D_METHOD("push", "root", "orientations"), &PersonStream::push);
-	ClassDB::bind_method(D_METHOD("get_tick_count"), &PersonStream::get_tick_count);
 	ClassDB::bind_method(D_METHOD("encode", "tick", "base", "before"), &PersonStream::encode);
 	ClassDB::bind_method(D_METHOD("decode", "bytes", "tick", "base", "before"), &PersonStream::decode);
 	ClassDB::bind_method(D_METHOD("restore", "tick"), &PersonStream::restore);

@@ -24,7 +24,6 @@ public:
 
 	bool setup(const PackedInt32Array &p_parents, int p_resolution);
 	int push(const Vector3 &p_root, const PackedFloat32Array &p_orientations);
-	int get_tick_count() const { return int(_states.size()); }
 	PackedByteArray encode(int p_tick, int p_base, int p_before) const;
 	bool decode(const PackedByteArray &p_bytes, int p_tick, int p_base, int p_before) const;
 	PackedFloat32Array restore(int p_tick) const;

@@ -3,7 +3,7 @@
 #include "motion_decoder.hpp"
 #include "motion_encoder.hpp"
 #include "person_stream.hpp"
-#include "pose_codec.hpp"
+#include "quickest_arrivals.hpp"
 #include "skeleton_poser.hpp"
 #include "snapshot_decoder.hpp"
 #include "snapshot_encoder.hpp"
@@ -23,7 +23,7 @@ void initialize(ModuleInitializationLevel p_level) {
 		GDREGISTER_CLASS(MotionDecoder);
 		GDREGISTER_CLASS(MotionEncoder);
 		GDREGISTER_CLASS(PersonStream);
-		GDREGISTER_CLASS(PoseCodec);
+		GDREGISTER_CLASS(QuickestArrivals);
 		GDREGISTER_CLASS(SkeletonPoser);
 		GDREGISTER_CLASS(SnapshotDecoder);
 		GDREGISTER_CLASS(SnapshotEncoder);

@@ -29,16 +29,6 @@ SnapshotDecoder::Outcome SnapshotDecoder::decode(const PackedByteArray &p_bytes)
 	return Outcome(int(_core->decode(p_bytes.ptr(), std::size_t(p_bytes.size()))));
 }
 
-void SnapshotDecoder::keep_people(const PackedInt32Array &p_people) {
-	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
-	std::vector<uint16_t> people;
-	people.reserve(std::size_t(p_people.size()));
-	for (int64_t i = 0; i < p_people.size(); i++) {
-		people.push_back(uint16_t(p_people[i]));
-	}
-	_core->keep_people(people);
-}
-
 void SnapshotDecoder::set_wants_marks(bool p_wanted) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	_core->want_marks(p_wanted);
@@ -75,17 +65,13 @@ void SnapshotDecoder::remove_entity(int64_t p_entity) {
 	}
 }
 
-bool SnapshotDecoder::has_entity(int64_t p_entity) const {
-	return _core != nullptr && is_id(p_entity) && _core->has_entity(uint16_t(p_entity));
-}
-
 void SnapshotDecoder::set_table_version(int64_t p_version) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_DECODER);
 	_core->set_table_version(uint32_t(p_version));
 }
 
 double SnapshotDecoder::get_field(int64_t p_entity, int64_t p_field) const {
-	if (!has_entity(p_entity)) {
+	if (_core == nullptr || !is_id(p_entity) || !_core->has_entity(uint16_t(p_entity))) {
 		return 0.0;
 	}
 	const wire::EntityType &type = *_core->type_of(uint16_t(p_entity));
@@ -248,7 +234,6 @@ void SnapshotDecoder::_bind_methods() {
 			D_METHOD("define_type", "type", "kinds", "mins", "maxs", "resolutions"), &SnapshotDecoder::define_type);
 	ClassDB::bind_method(D_METHOD("add_entity", "entity", "type", "values"), &SnapshotDecoder::add_entity);
 	ClassDB::bind_method(D_METHOD("remove_entity", "entity"), &SnapshotDecoder::remove_entity);
-	ClassDB::bind_method(D_METHOD("has_entity", "entity"), &SnapshotDecoder::has_entity);
 	ClassDB::bind_method(D_METHOD("set_table_version", "version"), &SnapshotDecoder::set_table_version);
 	ClassDB::bind_method(D_METHOD("get_field", "entity", "field"), &SnapshotDecoder::get_field);
 	ClassDB::bind_method(D_METHOD("get_changed_entities"), &SnapshotDecoder::get_changed_entities);
@@ -257,7 +242,6 @@ void SnapshotDecoder::_bind_methods() {
 			"SnapshotDecoder", D_METHOD("find_motion_ack", "bytes"), &SnapshotDecoder::find_motion_ack);
 	ClassDB::bind_method(D_METHOD("get_unacknowledged"), &SnapshotDecoder::get_unacknowledged);
 	ClassDB::bind_method(D_METHOD("get_frame", "person"), &SnapshotDecoder::get_frame);
-	ClassDB::bind_method(D_METHOD("keep_people", "people"), &SnapshotDecoder::keep_people);
 	ClassDB::bind_method(D_METHOD("set_wants_marks", "wanted"), &SnapshotDecoder::set_wants_marks);
 	ClassDB::bind_method(D_METHOD("get_ack", "viewpoint"), &SnapshotDecoder::get_ack);
 	ClassDB::bind_method(D_METHOD("get_tick"), &SnapshotDecoder::get_tick);

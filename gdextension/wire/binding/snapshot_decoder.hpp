@@ -33,7 +33,6 @@ public:
 			const PackedFloat32Array &p_maxs, const PackedFloat32Array &p_resolutions);
 	bool add_entity(int64_t p_entity, int64_t p_type, const PackedFloat32Array &p_values);
 	void remove_entity(int64_t p_entity);
-	bool has_entity(int64_t p_entity) const;
 	void set_table_version(int64_t p_version);
 	double get_field(int64_t p_entity, int64_t p_field) const;
 	PackedInt32Array get_changed_entities() const;
@@ -41,7 +40,6 @@ public:
 	static PackedByteArray find_motion_ack(const PackedByteArray &p_bytes);
 	int64_t get_unacknowledged() const;
 	int64_t get_frame(int64_t p_person) const;
-	void keep_people(const PackedInt32Array &p_people);
 	void set_wants_marks(bool p_wanted);
 	PackedByteArray get_ack(const Vector3 &p_viewpoint);
 	int64_t get_tick() const;

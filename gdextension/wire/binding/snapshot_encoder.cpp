@@ -50,8 +50,8 @@ bool SnapshotEncoder::add_entity(
 void SnapshotEncoder::remove_entity(int64_t p_entity) {
 	ERR_FAIL_COND_MSG(_core == nullptr, UNCONFIGURED_ENCODER);
 	if (is_id(p_entity)) {
-		remove_person(p_entity);
-		remove_body(p_entity);
+		_remove_person(p_entity);
+		_remove_body(p_entity);
 		_core->remove_entity(uint16_t(p_entity));
 	}
 }
@@ -93,7 +93,7 @@ bool SnapshotEncoder::add_person(
 	kinematics::PersonPose reset;
 	ERR_FAIL_COND_V_MSG(!read_orientations(p_reset_orientations, int(p_bodies.size()), reset), false,
 			"SnapshotEncoder: each body has an orientation of four floats in the reset pose.");
-	remove_person(p_person);
+	_remove_person(p_person);
 	Person person;
 	person.id = uint16_t(p_person);
 	for (int64_t i = 0; i < p_bodies.size(); i++) {
@@ -104,26 +104,10 @@ bool SnapshotEncoder::add_person(
 	return true;
 }
 
-void SnapshotEncoder::remove_person(int64_t p_person) {
-	_people.erase(std::remove_if(_people.begin(), _people.end(),
-						  [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; }),
-			_people.end());
-}
-
 bool SnapshotEncoder::add_body(int64_t p_body, const RID &p_rid) {
 	ERR_FAIL_COND_V_MSG(!is_id(p_body), false, "SnapshotEncoder: a body's number is 0 to 65535.");
 	_bodies.push_back({ uint16_t(p_body), p_rid });
 	return true;
-}
-
-void SnapshotEncoder::remove_body(int64_t p_body) {
-	_bodies.erase(std::remove_if(_bodies.begin(), _bodies.end(),
-						  [p_body](const Body &p_one) { return int64_t(p_one.id) == p_body; }),
-			_bodies.end());
-}
-
-void SnapshotEncoder::clear_bodies() {
-	_bodies.clear();
 }
 
 bool SnapshotEncoder::set_body_pose(int64_t p_person, const PackedFloat32Array &p_pose) {
@@ -340,6 +324,18 @@ Dictionary SnapshotEncoder::get_stats(int64_t p_client) {
 	return result;
 }
 
+void SnapshotEncoder::_remove_person(int64_t p_person) {
+	_people.erase(std::remove_if(_people.begin(), _people.end(),
+						  [p_person](const Person &p_one) { return int64_t(p_one.id) == p_person; }),
+			_people.end());
+}
+
+void SnapshotEncoder::_remove_body(int64_t p_body) {
+	_bodies.erase(std::remove_if(_bodies.begin(), _bodies.end(),
+						  [p_body](const Body &p_one) { return int64_t(p_one.id) == p_body; }),
+			_bodies.end());
+}
+
 void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("configure", "parents", "max_error_deg", "tick_rate"), &SnapshotEncoder::configure);
 	ClassDB::bind_method(
@@ -355,12 +351,9 @@ void SnapshotEncoder::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("add_recorder", "client"), &SnapshotEncoder::add_recorder);
 	ClassDB::bind_method(D_METHOD("set_command_ack", "client", "number"), &SnapshotEncoder::set_command_ack);
 	ClassDB::bind_method(D_METHOD("set_motion_ack", "client", "bytes"), &SnapshotEncoder::set_motion_ack);
-	ClassDB::bind_method(D_METHOD("remove_body", "body"), &SnapshotEncoder::remove_body);
 	ClassDB::bind_method(
 			D_METHOD("add_person", "person", "bodies", "reset_orientations"), &SnapshotEncoder::add_person);
-	ClassDB::bind_method(D_METHOD("remove_person", "person"), &SnapshotEncoder::remove_person);
 	ClassDB::bind_method(D_METHOD("add_body", "body", "rid"), &SnapshotEncoder::add_body);
-	ClassDB::bind_method(D_METHOD("clear_bodies"), &SnapshotEncoder::clear_bodies);
 	ClassDB::bind_method(D_METHOD("set_body_pose", "person", "pose"), &SnapshotEncoder::set_body_pose);
 	ClassDB::bind_method(D_METHOD("capture", "tick"), &SnapshotEncoder::capture);
 	ClassDB::bind_method(D_METHOD("begin_tick", "tick"), &SnapshotEncoder::begin_tick);

@@ -35,10 +35,7 @@ public:
 	void set_frame(int64_t p_person, int64_t p_carrier);
 
 	bool add_person(int64_t p_person, const TypedArray<RID> &p_bodies, const PackedFloat32Array &p_reset_orientations);
-	void remove_person(int64_t p_person);
 	bool add_body(int64_t p_body, const RID &p_rid);
-	void remove_body(int64_t p_body);
-	void clear_bodies();
 	bool set_body_pose(int64_t p_person, const PackedFloat32Array &p_pose);
 	void capture(int64_t p_tick);
 
@@ -76,6 +73,8 @@ private:
 		kinematics::PersonPose pose;
 		bool has_pose = false;
 	};
+	void _remove_person(int64_t p_person);
+	void _remove_body(int64_t p_body);
 	static bool _read_pose(const Person &p_person, kinematics::PersonPose &r_pose);
 	struct Body {
 		uint16_t id;

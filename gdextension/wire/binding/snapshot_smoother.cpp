@@ -91,12 +91,9 @@ void SnapshotSmoother::take(const Ref<SnapshotDecoder> &p_decoder, double p_arri
 	}
 }
 
-void SnapshotSmoother::set_types(const Ref<SnapshotDecoder> &p_decoder) {
-	_decoder = p_decoder;
-}
-
-double SnapshotSmoother::_field(int64_t p_entity, int64_t p_field, bool p_newest) const {
-	if (_decoder.is_null() || !_decoder->has_entity(p_entity)) {
+double SnapshotSmoother::field(int64_t p_entity, int64_t p_field) const {
+	if (_decoder.is_null() || !is_id(p_entity) || _decoder->get_core() == nullptr ||
+			!_decoder->get_core()->has_entity(uint16_t(p_entity))) {
 		return 0.0;
 	}
 	const uint32_t generation = _decoder->get_core()->generation_of(uint16_t(p_entity));
@@ -107,16 +104,7 @@ double SnapshotSmoother::_field(int64_t p_entity, int64_t p_field, bool p_newest
 	if (p_field < 0 || p_field >= int64_t(track->field_count())) {
 		return 0.0;
 	}
-	const std::size_t index = std::size_t(p_field);
-	return double(p_newest ? track->newest(index) : _smoother.shown_field(*track, index));
-}
-
-double SnapshotSmoother::field(int64_t p_entity, int64_t p_field) const {
-	return _field(p_entity, p_field, false);
-}
-
-double SnapshotSmoother::newest_field(int64_t p_entity, int64_t p_field) const {
-	return _field(p_entity, p_field, true);
+	return double(_smoother.shown_field(*track, std::size_t(p_field)));
 }
 
 void SnapshotSmoother::forget_entity(int64_t p_entity) {
@@ -185,12 +173,6 @@ PackedInt32Array SnapshotSmoother::get_moved_bodies() const {
 	return result;
 }
 
-void SnapshotSmoother::forget_person(int64_t p_person) {
-	if (is_id(p_person)) {
-		_smoother.forget_person(uint16_t(p_person));
-	}
-}
-
 void SnapshotSmoother::forget_body(int64_t p_body) {
 	if (is_id(p_body)) {
 		_smoother.forget_body(uint16_t(p_body));
@@ -210,9 +192,7 @@ void SnapshotSmoother::_bind_methods() {
 			&SnapshotSmoother::push_body);
 	ClassDB::bind_method(D_METHOD("predict_body", "body", "transform"), &SnapshotSmoother::predict_body);
 	ClassDB::bind_method(D_METHOD("forget_prediction", "body"), &SnapshotSmoother::forget_prediction);
-	ClassDB::bind_method(D_METHOD("set_types", "decoder"), &SnapshotSmoother::set_types);
 	ClassDB::bind_method(D_METHOD("field", "entity", "field"), &SnapshotSmoother::field);
-	ClassDB::bind_method(D_METHOD("newest_field", "entity", "field"), &SnapshotSmoother::newest_field);
 	ClassDB::bind_method(D_METHOD("forget_entity", "entity"), &SnapshotSmoother::forget_entity);
 	ClassDB::bind_method(D_METHOD("take", "decoder", "arrival_s"), &SnapshotSmoother::take);
 	ClassDB::bind_method(D_METHOD("evaluate", "now_s"), &SnapshotSmoother::evaluate);
@@ -228,7 +208,6 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("body_transform", "body"), &SnapshotSmoother::body_transform);
 	ClassDB::bind_method(D_METHOD("newest_body_transform", "body"), &SnapshotSmoother::newest_body_transform);
 	ClassDB::bind_method(D_METHOD("get_moved_bodies"), &SnapshotSmoother::get_moved_bodies);
-	ClassDB::bind_method(D_METHOD("forget_person", "person"), &SnapshotSmoother::forget_person);
 	ClassDB::bind_method(D_METHOD("forget_body", "body"), &SnapshotSmoother::forget_body);
 	ClassDB::bind_method(D_METHOD("clear"), &SnapshotSmoother::clear);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM,

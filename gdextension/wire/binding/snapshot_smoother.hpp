@@ -41,7 +41,6 @@ public:
 	bool push_body(int64_t p_body, int64_t p_tick, double p_arrival_s, const Transform3D &p_transform,
 			const Vector3 &p_velocity, const Vector3 &p_spin, bool p_at_rest);
 
-	void set_types(const Ref<SnapshotDecoder> &p_decoder);
 	void take(const Ref<SnapshotDecoder> &p_decoder, double p_arrival_s);
 
 	void evaluate(double p_now_s) { _smoother.evaluate(p_now_s); }
@@ -62,10 +61,8 @@ public:
 	PackedInt32Array get_moved_bodies() const;
 
 	double field(int64_t p_entity, int64_t p_field) const;
-	double newest_field(int64_t p_entity, int64_t p_field) const;
 
 	void forget_entity(int64_t p_entity);
-	void forget_person(int64_t p_person);
 	void forget_body(int64_t p_body);
 	void clear() { _smoother.clear(); }
 	/// What other classes of this module read.
@@ -75,8 +72,6 @@ protected:
 	static void _bind_methods();
 
 private:
-	double _field(int64_t p_entity, int64_t p_field, bool p_newest) const;
-
 	wire::Smoother _smoother;
 	Ref<SnapshotDecoder> _decoder; // It knows the types and the spawns.
 };

@@ -35,19 +35,10 @@ PackedStringArray MvnEncoder::get_segment_names() {
 	return names;
 }
 
-PackedByteArray MvnEncoder::get_unity_order() {
-	PackedByteArray order;
-	for (const uint8_t index : mvn::UNITY_ORDER) {
-		order.push_back(index);
-	}
-	return order;
-}
-
 void MvnEncoder::_bind_methods() {
 	ClassDB::bind_static_method(get_class_static(), D_METHOD("encode", "sample", "most_bytes"), &MvnEncoder::encode,
 			DEFVAL(int64_t(mvn::MAX_SENT)));
 	ClassDB::bind_static_method(get_class_static(), D_METHOD("get_segment_names"), &MvnEncoder::get_segment_names);
-	ClassDB::bind_static_method(get_class_static(), D_METHOD("get_unity_order"), &MvnEncoder::get_unity_order);
 }
 
 } // namespace godot

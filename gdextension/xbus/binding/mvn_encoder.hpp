@@ -18,7 +18,6 @@ class MvnEncoder : public RefCounted {
 public:
 	static TypedArray<PackedByteArray> encode(const Dictionary &p_sample, int64_t p_most_bytes);
 	static PackedStringArray get_segment_names();
-	static PackedByteArray get_unity_order();
 
 protected:
 	static void _bind_methods();

@@ -3,8 +3,8 @@
 
 #include "raw_recorder.hpp"
 
-#include <clock/source_clock.hpp>
 #include <recording/taps.hpp>
+#include <source_clock.hpp>
 #include <udp/receiver.hpp>
 
 #include <godot_cpp/classes/ref.hpp>

@@ -9,8 +9,6 @@ namespace godot {
 
 namespace {
 
-static_assert(SuitDevice::KIND_MTW2_MTX2 == int(xbus::DeviceKind::MTW2_MTX2), "The kinds are not those of the bus.");
-
 SuitDevice::State to_state(xbus::SessionState p_state) {
 	switch (p_state) {
 		case xbus::SessionState::SEARCHING:
@@ -71,10 +69,6 @@ String SuitDevice::get_address() const {
 	return as_string(_report.address);
 }
 
-String SuitDevice::get_serial() const {
-	return as_string(_report.serial);
-}
-
 String SuitDevice::get_state_text() const {
 	switch (_state) {
 		case STATE_CLOSED:
@@ -101,24 +95,17 @@ void SuitDevice::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_name"), &SuitDevice::get_name);
 	ClassDB::bind_method(D_METHOD("get_usb_id"), &SuitDevice::get_usb_id);
 	ClassDB::bind_method(D_METHOD("get_address"), &SuitDevice::get_address);
-	ClassDB::bind_method(D_METHOD("get_serial"), &SuitDevice::get_serial);
 	ClassDB::bind_method(D_METHOD("is_open"), &SuitDevice::is_open);
 	ClassDB::bind_method(D_METHOD("get_state"), &SuitDevice::get_state);
 	ClassDB::bind_method(D_METHOD("get_state_text"), &SuitDevice::get_state_text);
 	ClassDB::bind_method(D_METHOD("is_measuring"), &SuitDevice::is_measuring);
 	ClassDB::bind_method(D_METHOD("get_problem"), &SuitDevice::get_problem);
 	ClassDB::bind_method(D_METHOD("get_id"), &SuitDevice::get_id);
-	ClassDB::bind_method(D_METHOD("get_kind"), &SuitDevice::get_kind);
 	ClassDB::bind_method(D_METHOD("get_kind_text"), &SuitDevice::get_kind_text);
 	ClassDB::bind_method(D_METHOD("get_baud"), &SuitDevice::get_baud);
 	ClassDB::bind_method(D_METHOD("get_rate_hz"), &SuitDevice::get_rate_hz);
 	ClassDB::bind_method(D_METHOD("get_battery"), &SuitDevice::get_battery);
 	ClassDB::bind_method(D_METHOD("get_malformed_bytes"), &SuitDevice::get_malformed_bytes);
-	ClassDB::bind_method(D_METHOD("get_refused"), &SuitDevice::get_refused);
-	ClassDB::bind_method(D_METHOD("get_errors"), &SuitDevice::get_errors);
-	ClassDB::bind_method(D_METHOD("get_restarts"), &SuitDevice::get_restarts);
-	ClassDB::bind_method(D_METHOD("get_line_faults"), &SuitDevice::get_line_faults);
-	ClassDB::bind_method(D_METHOD("get_overruns"), &SuitDevice::get_overruns);
 	ClassDB::bind_method(D_METHOD("get_trackers"), &SuitDevice::get_trackers);
 	BIND_ENUM_CONSTANT(STATE_CLOSED);
 	BIND_ENUM_CONSTANT(STATE_SEARCHING);
@@ -129,16 +116,6 @@ void SuitDevice::_bind_methods() {
 	BIND_ENUM_CONSTANT(STATE_STOPPED);
 	BIND_ENUM_CONSTANT(STATE_PLAYING);
 	BIND_ENUM_CONSTANT(STATE_PLAYED);
-	BIND_ENUM_CONSTANT(KIND_UNKNOWN);
-	BIND_ENUM_CONSTANT(KIND_XBUS_MASTER);
-	BIND_ENUM_CONSTANT(KIND_MTI_MTX);
-	BIND_ENUM_CONSTANT(KIND_MTI_G);
-	BIND_ENUM_CONSTANT(KIND_MTI_10);
-	BIND_ENUM_CONSTANT(KIND_MTI_100);
-	BIND_ENUM_CONSTANT(KIND_AWINDA_STATION);
-	BIND_ENUM_CONSTANT(KIND_AWINDA_DONGLE);
-	BIND_ENUM_CONSTANT(KIND_BODY_PACK);
-	BIND_ENUM_CONSTANT(KIND_MTW2_MTX2);
 }
 
 } // namespace godot

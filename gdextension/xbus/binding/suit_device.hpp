@@ -34,20 +34,6 @@ public:
 		STATE_PLAYED,
 	};
 
-	/// In the order of `xbus::DeviceKind`.
-	enum Kind {
-		KIND_UNKNOWN,
-		KIND_XBUS_MASTER,
-		KIND_MTI_MTX,
-		KIND_MTI_G,
-		KIND_MTI_10,
-		KIND_MTI_100,
-		KIND_AWINDA_STATION,
-		KIND_AWINDA_DONGLE,
-		KIND_BODY_PACK,
-		KIND_MTW2_MTX2,
-	};
-
 	/// A device on USB, as of a time (µs of CLOCK_MONOTONIC).
 	static Ref<SuitDevice> make(const usb::DeviceReport &p_report, uint64_t p_now_usec);
 	/// A device of a recording: its state is the player's, and ages count in played time, `p_speed` times as fast as
@@ -59,24 +45,17 @@ public:
 	String get_name() const { return _name; }
 	int64_t get_usb_id() const;
 	String get_address() const;
-	String get_serial() const;
 	bool is_open() const { return _report.is_open; }
 	State get_state() const { return _state; }
 	String get_state_text() const;
 	bool is_measuring() const { return _is_measuring; }
 	String get_problem() const;
 	int64_t get_id() const { return int64_t(_report.session.device_id); }
-	Kind get_kind() const { return Kind(_report.session.kind); }
 	String get_kind_text() const;
 	int64_t get_baud() const { return int64_t(_report.session.baud); }
 	double get_rate_hz() const { return _report.session.rate_hz; }
 	double get_battery() const { return _report.session.battery; }
 	int64_t get_malformed_bytes() const { return int64_t(_report.session.framer.skipped_bytes); }
-	int64_t get_refused() const { return int64_t(_report.session.framer.refused_frames); }
-	int64_t get_errors() const { return int64_t(_report.session.errors); }
-	int64_t get_restarts() const { return int64_t(_report.session.restarts); }
-	int64_t get_line_faults() const { return int64_t(_report.port.ftdi.line_faults); }
-	int64_t get_overruns() const { return int64_t(_report.overruns); }
 	TypedArray<SuitTracker> get_trackers() const { return _trackers; }
 
 protected:
@@ -95,4 +74,3 @@ private:
 } // namespace godot
 
 VARIANT_ENUM_CAST(SuitDevice::State);
-VARIANT_ENUM_CAST(SuitDevice::Kind);

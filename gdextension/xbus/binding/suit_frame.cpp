@@ -35,7 +35,6 @@ Ref<SuitFrame> SuitFrame::make(const xbus::SuitFrame &p_frame, int64_t p_unix_ah
 	Ref<SuitFrame> frame;
 	frame.instantiate();
 	frame->_time_usec = int64_t(p_frame.time_usec) + p_unix_ahead_usec;
-	frame->_arrival_usec = int64_t(p_frame.arrival_usec) + p_unix_ahead_usec;
 	frame->_counter = int64_t(p_frame.counter);
 	frame->_axes = Axes(p_frame.axes);
 	frame->_present.resize(p_frame.tracker_count);
@@ -56,7 +55,6 @@ Ref<SuitFrame> SuitFrame::make(const xbus::SuitFrame &p_frame, int64_t p_unix_ah
 
 void SuitFrame::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_time_usec"), &SuitFrame::get_time_usec);
-	ClassDB::bind_method(D_METHOD("get_arrival_usec"), &SuitFrame::get_arrival_usec);
 	ClassDB::bind_method(D_METHOD("get_counter"), &SuitFrame::get_counter);
 	ClassDB::bind_method(D_METHOD("get_axes"), &SuitFrame::get_axes);
 	ClassDB::bind_method(D_METHOD("get_present"), &SuitFrame::get_present);

@@ -32,7 +32,6 @@ public:
 	static Ref<SuitFrame> make(const xbus::SuitFrame &p_frame, int64_t p_unix_ahead_usec);
 
 	int64_t get_time_usec() const { return _time_usec; }
-	int64_t get_arrival_usec() const { return _arrival_usec; }
 	int64_t get_counter() const { return _counter; }
 	Axes get_axes() const { return _axes; }
 	PackedByteArray get_present() const { return _present; }
@@ -46,7 +45,6 @@ protected:
 
 private:
 	int64_t _time_usec = 0;
-	int64_t _arrival_usec = 0;
 	int64_t _counter = 0;
 	Axes _axes = AXES_UNKNOWN;
 	PackedByteArray _present;

@@ -16,7 +16,6 @@ void SuitTracker::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_bus_id"), &SuitTracker::get_bus_id);
 	ClassDB::bind_method(D_METHOD("get_received"), &SuitTracker::get_received);
 	ClassDB::bind_method(D_METHOD("get_lost"), &SuitTracker::get_lost);
-	ClassDB::bind_method(D_METHOD("get_implausible"), &SuitTracker::get_implausible);
 	ClassDB::bind_method(D_METHOD("get_rate_hz"), &SuitTracker::get_rate_hz);
 	ClassDB::bind_method(D_METHOD("get_age_s"), &SuitTracker::get_age_s);
 }

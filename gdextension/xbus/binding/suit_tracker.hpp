@@ -24,7 +24,6 @@ public:
 	int64_t get_bus_id() const { return int64_t(_report.bus_id); }
 	int64_t get_received() const { return int64_t(_report.samples.received); }
 	int64_t get_lost() const { return int64_t(_report.samples.lost); }
-	int64_t get_implausible() const { return int64_t(_report.samples.implausible); }
 	double get_rate_hz() const { return _report.flow.rate_hz; }
 	double get_age_s() const { return _age_s; }
 

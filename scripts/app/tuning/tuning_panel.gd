@@ -28,8 +28,6 @@ signal reset_asked
 ## Time is to stop, or to go on.
 signal pause_toggled(is_on: bool)
 
-## Width of the names before the knobs, px.
-const TITLE_WIDTH: float = 92.0
 ## Names of [enum RagdollMotor.Actuation], in its order.
 const MODES: Array[String] = [
 	"direct set", "spring torque", "angular motor", "velocity motor", "position motor", "limp"
@@ -39,9 +37,8 @@ const ROOTS: Array[String] = [
 	"held", "soft", "lowest foot", "contacts", "pendulum", "self-righting", "inertial", "grounded"
 ]
 
-const _FONT_SIZE: int = 14
-const _FOCUS: Color = Color(0.34, 0.71, 0.91)
-const _FAULT: Color = Color(1.0, 0.55, 0.4)
+## Width of the names, px.
+const _TITLE_PX: float = 92.0
 
 ## A strength group, or all.
 var group_choice: OptionButton = OptionButton.new()
@@ -50,23 +47,21 @@ var mode_choice: OptionButton = OptionButton.new()
 ## Of the person.
 var root_choice: OptionButton = OptionButton.new()
 ## Of the group.
-var strength: TuningSlider = TuningSlider.new("Strength", Vector3(0.0, 4.0, 0.05), "x")
+var strength: UiSlider = _slider("Strength", Vector3(0.0, 4.0, 0.05), "x")
 ## Of the group.
-var frequency: TuningSlider = TuningSlider.new(
-	"Spring", Vector3(0.0, 30.0, 0.5), "Hz", "mode's own"
-)
+var frequency: UiSlider = _slider("Spring", Vector3(0.0, 30.0, 0.5), "Hz", "mode's own")
 ## Of the group.
-var damping: TuningSlider = TuningSlider.new("Damping", Vector3(0.0, 3.0, 0.05), "", "mode's own")
+var damping: UiSlider = _slider("Damping", Vector3(0.0, 3.0, 0.05), "", "mode's own")
 ## Of changes of mode and strength.
-var blend: TuningSlider = TuningSlider.new("Blend", Vector3(0.0, 3.0, 0.05), "s")
+var blend: UiSlider = _slider("Blend", Vector3(0.0, 3.0, 0.05), "s")
 ## Of the person: by the names of the motor's properties.
-var numbers: Dictionary[StringName, TuningSlider] = {
-	&"gain": TuningSlider.new("Gain", Vector3(1.0, 240.0, 1.0), "1/s"),
-	&"muscle_speed": TuningSlider.new("Muscle speed", Vector3(0.0, 60.0, 0.5), "rad/s", "any"),
-	&"root_force": TuningSlider.new("Root force", Vector3(0.0, 10000.0, 50.0), "N"),
-	&"root_torque": TuningSlider.new("Root torque", Vector3(0.0, 5000.0, 20.0), "N m"),
-	&"standing_torque": TuningSlider.new("When standing", Vector3(0.0, 5000.0, 20.0), "N m"),
-	&"residual_share": TuningSlider.new("Grounded: force", Vector3(0.0, 1.0, 0.01), "of weight"),
+var numbers: Dictionary[StringName, UiSlider] = {
+	&"gain": _slider("Gain", Vector3(1.0, 240.0, 1.0), "1/s"),
+	&"muscle_speed": _slider("Muscle speed", Vector3(0.0, 60.0, 0.5), "rad/s", "any"),
+	&"root_force": _slider("Root force", Vector3(0.0, 10000.0, 50.0), "N"),
+	&"root_torque": _slider("Root torque", Vector3(0.0, 5000.0, 20.0), "N m"),
+	&"standing_torque": _slider("When standing", Vector3(0.0, 5000.0, 20.0), "N m"),
+	&"residual_share": _slider("Grounded: force", Vector3(0.0, 1.0, 0.01), "of weight"),
 }
 ## Whether the next sample is known.
 var buffer_box: CheckBox = CheckBox.new()
@@ -80,27 +75,14 @@ var _message: Label = Label.new()
 var _buttons: GridContainer = GridContainer.new()
 
 
-## Shows by a name's colour that its control has the keyboard.
-static func mark_focus(p_control: Control, p_title: Label) -> void:
-	p_control.focus_entered.connect(
-		func() -> void: p_title.add_theme_color_override("font_color", _FOCUS)
-	)
-	p_control.focus_exited.connect(
-		func() -> void: p_title.remove_theme_color_override("font_color")
-	)
-
-
 func _ready() -> void:
-	var small: Theme = Theme.new()
-	small.default_font_size = _FONT_SIZE
-	theme = small
-	_list.add_theme_constant_override("separation", 5)
+	theme = load(UiStyle.DENSE)
 	add_child(_list)
 	_add_file()
 	_add_heading("Limbs")
 	_add_choice("Group", group_choice)
 	_add_choice("Actuation", mode_choice)
-	for row: TuningSlider in [strength, frequency, damping, blend]:
+	for row: UiSlider in [strength, frequency, damping, blend]:
 		_list.add_child(row)
 	_add_heading("Whole person")
 	_add_choice("Root", root_choice)
@@ -143,7 +125,7 @@ func show_motor(p_motor: RagdollMotor, p_spring: Vector2) -> void:
 ## Tells the user something; [param p_is_fault] if it went wrong.
 func report(p_text: String, p_is_fault: bool) -> void:
 	_message.text = p_text
-	_message.add_theme_color_override("font_color", _FAULT if p_is_fault else Color.WHITE)
+	_message.add_theme_color_override("font_color", UiStyle.BAD if p_is_fault else UiStyle.TEXT)
 
 
 ## The message to the user.
@@ -169,32 +151,20 @@ func _is_mixed(p_motor: RagdollMotor) -> bool:
 func _add_heading(p_text: String) -> void:
 	var heading: Label = Label.new()
 	heading.text = p_text
-	heading.add_theme_color_override("font_color", Color(0.72, 0.75, 0.78))
+	heading.theme_type_variation = UiStyle.HINT
 	_list.add_child(heading)
 	_list.add_child(HSeparator.new())
 
 
-func _add_row(p_title: String, p_control: Control) -> void:
-	var row: HBoxContainer = HBoxContainer.new()
-	var title: Label = Label.new()
-	title.text = p_title
-	title.custom_minimum_size.x = TITLE_WIDTH
-	row.add_child(title)
-	p_control.size_flags_horizontal = Control.SIZE_EXPAND_FILL
-	row.add_child(p_control)
-	mark_focus(p_control, title)
-	_list.add_child(row)
-
-
 func _add_choice(p_title: String, p_choice: OptionButton) -> void:
 	p_choice.fit_to_longest_item = false
-	_add_row(p_title, p_choice)
+	_list.add_child(UiRow.new(p_title, p_choice, _TITLE_PX))
 
 
 func _add_file() -> void:
 	file_edit.placeholder_text = "a BVH file, then Enter"
 	file_edit.tooltip_text = "A BVH file, absolute or res://; Enter plays it"
-	_add_row("Motion", file_edit)
+	_list.add_child(UiRow.new("Motion", file_edit, _TITLE_PX))
 
 
 func _add_buttons() -> void:
@@ -232,7 +202,7 @@ func _connect_all() -> void:
 	strength.moved.connect(
 		func(value: float) -> void: strength_changed.emit(value, group(), blend.slider.value)
 	)
-	for row: TuningSlider in [frequency, damping]:
+	for row: UiSlider in [frequency, damping]:
 		row.moved.connect(
 			func(_value: float) -> void:
 				spring_changed.emit(Vector2(frequency.slider.value, damping.slider.value), group())
@@ -244,3 +214,9 @@ func _connect_all() -> void:
 	buffer_box.toggled.connect(func(is_on: bool) -> void: buffer_toggled.emit(is_on))
 	file_edit.text_submitted.connect(func(file: String) -> void: file_chosen.emit(file))
 	pause_button.toggled.connect(func(is_on: bool) -> void: pause_toggled.emit(is_on))
+
+
+static func _slider(
+	p_title: String, p_range: Vector3, p_unit: String, p_zero: String = ""
+) -> UiSlider:
+	return UiSlider.new(p_title, p_range, p_unit, p_zero, _TITLE_PX)

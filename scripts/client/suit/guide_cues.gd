@@ -88,10 +88,8 @@ func _speak(p_text: String) -> void:
 	var is_on: bool = ProjectSettings.get_setting("audio/general/text_to_speech", false)
 	if not is_on or not DisplayServer.has_feature(DisplayServer.FEATURE_TEXT_TO_SPEECH):
 		return
-	# Where no speech service runs, the engine calls that an error; the result is on the screen.
-	Engine.print_error_messages = false
+	# Where no speech service runs, there are none: the result is on the screen.
 	var voices: PackedStringArray = DisplayServer.tts_get_voices_for_language("en")
-	Engine.print_error_messages = true
 	if not voices.is_empty():
 		DisplayServer.tts_speak(p_text, voices[0])
 

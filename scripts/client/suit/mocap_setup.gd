@@ -48,15 +48,6 @@ func _physics_process(_delta: float) -> void:
 		people.sample_in_world()
 
 
-func _exit_tree() -> void:
-	if _panel != null:
-		# Debian's release build of the engine reports an error for everything that leaves a
-		# Container.
-		Engine.print_error_messages = false
-		_panel.free()
-		Engine.print_error_messages = true
-
-
 ## Opens all sources.
 func open(p_context: ClientContext) -> String:
 	super(p_context)

@@ -1,5 +1,5 @@
 class_name HeadsetMenu
-extends Panel
+extends PanelContainer
 ## The menu that the wearer of a headset sees at arm's length: few and large entries.
 
 ## One of the entries was chosen.
@@ -17,28 +17,22 @@ const _TEXTS: Dictionary[Entry, String] = {
 	Entry.LEAVE: "Leave the session",
 }
 const _FONT_PX: int = 44
-## Of the board: margin and gap between entries, as shares of its height.
-const _MARGIN: float = 0.06
-const _GAP: float = 0.02
 
 var _buttons: Dictionary[Entry, Button] = {}
 
 
 func _init() -> void:
-	var rows: int = Entry.size()
-	var height: float = (1.0 - 2.0 * _MARGIN - (rows - 1) * _GAP) / rows
+	var rows: VBoxContainer = VBoxContainer.new()
+	add_child(rows)
 	for entry: Entry in _TEXTS:
 		var button: Button = Button.new()
 		button.text = _TEXTS[entry]
 		button.add_theme_font_size_override(&"font_size", _FONT_PX)
 		button.focus_mode = Control.FOCUS_NONE
-		button.anchor_left = _MARGIN
-		button.anchor_right = 1.0 - _MARGIN
-		button.anchor_top = _MARGIN + entry * (height + _GAP)
-		button.anchor_bottom = button.anchor_top + height
+		button.size_flags_vertical = Control.SIZE_EXPAND_FILL
 		button.pressed.connect(chosen.emit.bind(entry))
 		_buttons[entry] = button
-		add_child(button)
+		rows.add_child(button)
 
 
 ## Says of the settings what they are.

@@ -3,10 +3,6 @@ extends CanvasLayer
 ## A line of stats, what the screen adds, a line of keys, in the middle what the user must know, and
 ## the latencies.
 
-## How long news stay, s, and how many lines of them.
-const NEWS_S: float = 6.0
-const NEWS_LINES: int = 4
-
 @export var _status: Label
 @export var _screen: Label
 @export var _keys: Label
@@ -15,10 +11,9 @@ const NEWS_LINES: int = 4
 @export var _note: Label
 @export var _prompt: Label
 @export var _tether: Label
-@export var _news: Label
+@export var _news: UiToasts
 @export var _latency: LatencyPanel
 
-var _lines: PackedStringArray = []
 # By topic.
 var _notes: Dictionary[StringName, String] = {}
 
@@ -57,27 +52,13 @@ func show_note(p_text: String, p_topic: StringName) -> void:
 
 ## Shows what has happened, for a while.
 func show_news(p_text: String) -> void:
-	_lines.append(p_text)
-	if _lines.size() > NEWS_LINES:
-		_lines.remove_at(0)
-	_update_news()
-	await get_tree().create_timer(NEWS_S).timeout
-	# Lines come and go in the same order; what was pushed out is gone before.
-	var index: int = _lines.find(p_text)
-	if index >= 0:
-		_lines.remove_at(index)
-		_update_news()
+	_news.show_note(p_text)
 
 
 ## Shows what the key for using would do; nothing if the text is empty.
 func show_prompt(p_text: String) -> void:
 	_prompt.text = "E   " + p_text
 	_prompt.visible = p_text != ""
-
-
-func _update_news() -> void:
-	_news.text = "\n".join(_lines)
-	_news.visible = not _lines.is_empty()
 
 
 ## Tells wearers how far the own body is from their motion; nothing if empty.

@@ -14,50 +14,59 @@ const _SHOW_KEYS: StringName = &"show_keys"
 const _FULL_SCREEN: StringName = &"toggle_full_screen"
 const _MENU: StringName = &"ui_cancel"
 
-@export var _menu: Control
-@export var _continue: Button
-@export var _keys: Button
-@export var _full_screen: Button
-@export var _quality: Button
-@export var _sound: Button
-@export var _wheel: Button
-@export var _leave: Button
-@export var _list: Label
-@export var _names: Label
-@export var _guide: Control
-
 ## Where the sound is set.
-var sound_menu: SoundMenu = null
+var sound_menu: SoundMenu = SoundMenu.new()
 
+var _menu: UiPanel = UiPanel.new("Dismount", 232.0)
+var _guide: UiPanel = UiPanel.new("Keys", 720.0)
+var _list: GridContainer = GridContainer.new()
+var _continue: Button = null
+var _quality: Button = null
 ## Place of the tier of quality among its names.
 var _tier: int = 0
 
 
-func _ready() -> void:
-	_continue.pressed.connect(_show_menu.bind(false))
-	_keys.pressed.connect(_show_keys)
-	_full_screen.pressed.connect(_toggle_full_screen)
-	_leave.pressed.connect(leave_wanted.emit)
-	_quality.pressed.connect(_choose_next_quality)
-	_wheel.pressed.connect(_on_wheel_pressed)
-	_sound.pressed.connect(_on_sound_pressed)
-	_menu.visible = false
-	_guide.visible = false
-	sound_menu = SoundMenu.new()
-	sound_menu.add_theme_stylebox_override("panel", _menu.get_theme_stylebox("panel"))
+func _init() -> void:
+	_continue = _menu.add_button("Continue", _show_menu.bind(false))
+	_menu.add_button("Keys", _show_keys)
+	_menu.add_button("Full screen", _toggle_full_screen)
+	_quality = _menu.add_button("Quality", _choose_next_quality)
+	_menu.add_button("Sound", _on_sound_pressed)
+	_menu.add_button("Wheel and pedals", _on_wheel_pressed)
+	_menu.add_button("Leave", leave_wanted.emit)
+	_list.columns = 4
+	_guide.rows.add_child(_list)
+	# The camera is turned by the mouse meanwhile.
+	for part: Node in [_guide] + _guide.find_children("*", "Control", true, false):
+		(part as Control).mouse_filter = Control.MOUSE_FILTER_IGNORE
 	sound_menu.closed.connect(_show_menu.bind(true))
-	add_child(sound_menu)
+	for panel: UiPanel in [_menu, _guide, sound_menu]:
+		panel.visible = false
+		add_child(panel)
 
 
-## Sets the keys that do something here, as of [method KeyGuide.describe].
+## Sets the keys that do something here, as of [method KeyGuide.describe]: in two columns, the upper
+## half on the left.
 func set_keys(p_text: String) -> void:
-	var keys: PackedStringArray = []
-	var names: PackedStringArray = []
-	for line: String in p_text.split("\n"):
-		keys.append(line.get_slice("\t", 0))
-		names.append(line.get_slice("\t", 1))
-	_list.text = "\n".join(keys)
-	_names.text = "\n".join(names)
+	for child: Node in _list.get_children():
+		child.free()
+	var lines: PackedStringArray = p_text.split("\n")
+	var half: int = ceili(lines.size() / 2.0)
+	for at: int in half:
+		_add_key(lines[at])
+		_add_key(lines[half + at] if half + at < lines.size() else "")
+
+
+func _add_key(p_line: String) -> void:
+	var key: Label = Label.new()
+	key.text = p_line.get_slice("\t", 0)
+	key.theme_type_variation = UiStyle.WARNING
+	_list.add_child(key)
+	var does: Label = Label.new()
+	does.text = p_line.get_slice("\t", 1) if "\t" in p_line else ""
+	does.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
+	does.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	_list.add_child(does)
 
 
 ## Sets the tier of quality that is used.

@@ -15,43 +15,30 @@ const _TEXT: String = (
 	+ " Ask its staff which key it has. Trust the new one?"
 )
 
-@export var _panel: Control
-@export var _label: Label
-@export var _leave: Button
-@export var _trust: Button
-
+var _prompt: UiPrompt = UiPrompt.new("Is this the same server?")
 var _other: OtherServerKey = null
 
 
-func _ready() -> void:
-	_panel.visible = false
-	_leave.pressed.connect(_answer.bind(false))
-	_trust.pressed.connect(_answer.bind(true))
+func _init() -> void:
+	_prompt.set_answers(["Leave", "Trust it"])
+	_prompt.answered.connect(_answer)
+	add_child(_prompt)
 
 
 ## Asks about a key.
 func ask(p_other: OtherServerKey) -> void:
 	_other = p_other
-	_label.text = _TEXT % [p_other.address, p_other.known, p_other.fingerprint()]
-	_panel.visible = true
 	Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
-	_leave.grab_focus()
+	_prompt.ask(_TEXT % [p_other.address, p_other.known, p_other.fingerprint()])
 
 
 ## Whether it asks now.
 func is_open() -> bool:
-	return _panel.visible
+	return _prompt.visible
 
 
-func _input(p_event: InputEvent) -> void:
-	if _panel.visible and p_event.is_action_pressed(&"ui_cancel"):
-		get_viewport().set_input_as_handled()
-		_answer(false)
-
-
-func _answer(p_is_trusted: bool) -> void:
-	_panel.visible = false
-	if p_is_trusted:
+func _answer(p_answer: int) -> void:
+	if p_answer == 1:
 		trusted.emit(_other)
 	else:
 		leave_wanted.emit()

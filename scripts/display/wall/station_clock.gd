@@ -3,11 +3,9 @@ extends RefCounted
 ## Which tick another display of the station shows at a moment of the own clock: pure, of its
 ## messages and when they came.
 ##
-## The quickest of the last messages tells how the clocks differ, so what the network delays now and
-## then moves nothing. From the newest message on, ticks go on with their rate.
+## [QuickestArrivals] tell how the clocks differ, so what the network delays now and then moves
+## nothing. From the newest message on, ticks go on with their rate.
 
-## Messages of which the quickest counts.
-const _WINDOW: int = 64
 ## So long the other one's ticks go on without a message, µs; then they stand.
 const CARRY_USEC: int = 250_000
 ## After so long without a message nothing is known any more, µs.
@@ -16,7 +14,7 @@ const FORGET_USEC: int = 3_000_000
 ## The newest message; null: none.
 var newest: StationMessage = null
 
-var _delays: PackedInt64Array = []
+var _quickest: QuickestArrivals = QuickestArrivals.new()
 var _arrival_usec: int = 0
 
 
@@ -25,14 +23,12 @@ var _arrival_usec: int = 0
 func take(p_message: StationMessage, p_arrival_usec: int) -> void:
 	var is_new: bool = newest == null or newest.sender != p_message.sender
 	if is_new:
-		_delays.clear()
+		_quickest.clear()
 	elif p_message.sequence <= newest.sequence:
 		return
 	newest = p_message
 	_arrival_usec = p_arrival_usec
-	_delays.append(p_arrival_usec - p_message.sent_usec)
-	if _delays.size() > _WINDOW:
-		_delays.remove_at(0)
+	_quickest.note(p_arrival_usec * 1e-6, (p_arrival_usec - p_message.sent_usec) * 1e-6)
 
 
 ## Whether the other one has been heard of lately.
@@ -49,8 +45,6 @@ func is_fresh(p_now_usec: int) -> bool:
 func tick_at(p_at_usec: int, p_now_usec: int) -> float:
 	if not is_known(p_now_usec):
 		return NAN
-	var least: int = _delays[0]
-	for delay: int in _delays:
-		least = mini(least, delay)
-	var since: int = p_at_usec - least - newest.at_usec
-	return newest.tick + clampi(since, -CARRY_USEC, CARRY_USEC) * 1e-6 * newest.rate
+	var least: float = _quickest.delay_at(p_at_usec * 1e-6)
+	var since_s: float = (p_at_usec - newest.at_usec) * 1e-6 - least
+	return newest.tick + clampf(since_s, -CARRY_USEC * 1e-6, CARRY_USEC * 1e-6) * newest.rate

@@ -15,11 +15,15 @@ const PERIOD_S: float = 0.2
 ## How long somebody who is alone can read a result before it is accepted or dropped, s.
 const READ_S: float = 6.0
 
+## Below this width, px, views and calibration stand below the tables instead of beside them.
+const BESIDE_PX: float = 1200.0
+
 ## Where people's data are kept.
 @export_dir var folder: String = CalibrationStore.FOLDER
 ## Whether it advances the suits; otherwise somebody else calls [method SuitSource.advance].
 @export var drives: bool = false
 
+@export var _middle: BoxContainer
 @export var _person: PersonBox
 @export var _devices: DeviceList
 @export var _sensors: SensorTable
@@ -81,6 +85,8 @@ func _ready() -> void:
 	_sources_button.pressed.connect(_show_sources.bind(true))
 	_sources.close_wanted.connect(_show_sources.bind(false))
 	show_devices([])
+	resized.connect(_fit)
+	_fit()
 	_refresh()
 
 
@@ -169,6 +175,10 @@ func _decide_alone() -> String:
 		else:
 			suit().refuse_calibration()
 	return "Accepted" if accepts else "Shake a hand to try again"
+
+
+func _fit() -> void:
+	_middle.vertical = size.x < BESIDE_PX
 
 
 func _show_views() -> void:

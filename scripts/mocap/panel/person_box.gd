@@ -1,5 +1,5 @@
 class_name PersonBox
-extends HBoxContainer
+extends HFlowContainer
 ## Who wears the suit: name, known people, height.
 
 ## Another known person is chosen as the wearer.

@@ -1,5 +1,5 @@
 class_name SensorTable
-extends Tree
+extends UiList
 ## The sensors and their state, a row each; Enter on a row asks where the sensor is worn.
 
 ## A sensor is assigned to another mount; -1: it is not worn.
@@ -10,9 +10,9 @@ const TITLES: PackedStringArray = [
 	"Worn at", "Sensor", "Where", "State", "Quality", "Drift", "Field", "Moves"
 ]
 ## Colours of what is wrong, and of what is good.
-const WARN: Color = Color(1.0, 0.7, 0.25)
-const BAD: Color = Color(1.0, 0.45, 0.35)
-const GOOD: Color = Color(0.5, 0.88, 0.55)
+const WARN: Color = UiStyle.WARN
+const BAD: Color = UiStyle.BAD
+const GOOD: Color = UiStyle.GOOD
 
 const _WIDTHS: PackedInt32Array = [122, 84, 104, 100, 78, 78, 76, 62]
 ## A silence that is told, s.
@@ -22,7 +22,7 @@ const _LOW: float = 0.15
 const _MOVES_DEG: float = 3.0
 ## Drift that is corrected and yet worth a look, degrees a minute.
 const _DRIFTS_DEG_MIN: float = 3.0
-const _PLAIN: Color = Color(0.87, 0.89, 0.92)
+const _PLAIN: Color = UiStyle.TEXT
 const _QUALITIES: Dictionary[String, Color] = {"good": GOOD, "fair": WARN}
 const _FIELDS: Dictionary[MagneticWatch.Verdict, Color] = {
 	MagneticWatch.Verdict.UNKNOWN: _PLAIN,
@@ -37,21 +37,10 @@ var _mounts: Dictionary[String, int] = {}
 
 
 func _init() -> void:
-	columns = TITLES.size()
-	column_titles_visible = true
-	hide_root = true
-	select_mode = Tree.SELECT_ROW
-	for column: int in TITLES.size():
-		set_column_title(column, TITLES[column])
-		set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
-		set_column_custom_minimum_width(column, _WIDTHS[column])
-		set_column_expand(column, column == 2)
-		set_column_clip_content(column, true)
+	set_titles(TITLES, _WIDTHS, 2)
 	add_theme_constant_override("v_separation", 4)
 	add_theme_constant_override("inner_item_margin_top", 0)
 	add_theme_constant_override("inner_item_margin_bottom", 0)
-	add_theme_font_size_override("font_size", 13)
-	add_theme_font_size_override("title_button_font_size", 13)
 	item_activated.connect(ask_mount)
 	for mount: int in BodyMounts.COUNT:
 		_menu.add_radio_check_item(BodyMounts.title(mount), mount)
@@ -110,11 +99,10 @@ func _choose(p_mount: int) -> void:
 
 func _make_rows(p_ids: PackedStringArray) -> void:
 	var selected: String = selected_sensor()
-	clear()
+	clear_rows()
 	_rows.clear()
-	var root: TreeItem = create_item()
 	for id: String in p_ids:
-		var row: TreeItem = create_item(root)
+		var row: TreeItem = add_row([])
 		row.set_metadata(0, id)
 		_rows[id] = row
 		if id == selected or selected == "":

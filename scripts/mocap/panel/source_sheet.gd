@@ -19,7 +19,7 @@ const _TITLES: PackedStringArray = ["What", "State", "Details"]
 const _WIDTHS: PackedInt32Array = [250, 80, 330]
 const _NONE: String = "Nothing is heard yet. Let the suit's program send to this machine's address."
 
-@export var _heard: Tree
+@export var _heard: UiList
 @export var _grid: GridContainer
 @export var _fault: Label
 @export var _close: Button
@@ -29,15 +29,7 @@ var _lists: Array[OptionButton] = []
 
 
 func _ready() -> void:
-	_heard.columns = KEYS.size()
-	_heard.column_titles_visible = true
-	_heard.hide_root = true
-	_heard.select_mode = Tree.SELECT_ROW
-	for column: int in KEYS.size():
-		_heard.set_column_title(column, _TITLES[column])
-		_heard.set_column_title_alignment(column, HORIZONTAL_ALIGNMENT_LEFT)
-		_heard.set_column_custom_minimum_width(column, _WIDTHS[column])
-		_heard.set_column_expand(column, column == 2)
+	_heard.set_titles(_TITLES, _WIDTHS, 2)
 	_heard.item_activated.connect(_take)
 	_close.pressed.connect(close_wanted.emit)
 	visibility_changed.connect(func() -> void: listening_wanted.emit(is_visible_in_tree()))
@@ -50,14 +42,11 @@ func show_heard(p_rows: Array[Dictionary]) -> void:
 		return
 	_shown = p_rows.duplicate(true)
 	var selected: String = _selected()
-	_heard.clear()
-	var root: TreeItem = _heard.create_item()
+	_heard.clear_rows()
 	if p_rows.is_empty():
-		var none: TreeItem = _heard.create_item(root)
-		none.set_text(2, _NONE)
-		none.set_autowrap_mode(2, TextServer.AUTOWRAP_WORD_SMART)
+		_heard.add_row(["", "", _NONE], 2)
 	for row: Dictionary in p_rows:
-		var item: TreeItem = _heard.create_item(root)
+		var item: TreeItem = _heard.add_row([])
 		for column: int in KEYS.size():
 			item.set_text(column, str(row.get(KEYS[column], "")))
 			item.set_autowrap_mode(column, TextServer.AUTOWRAP_WORD_SMART)

@@ -159,18 +159,6 @@ func push_sample(p_session: int, p_sample: PoseSample, p_now_s: float) -> void:
 		person.push_sample(p_sample, p_now_s)
 
 
-## The other sessions of whose people one is within a distance (m) of the first one of a session: who
-## hears that one speak. Empty where the session has no body.
-func sessions_near(p_session: int, p_range_m: float) -> PackedInt32Array:
-	var own: Array[ServerPerson] = _of_session(p_session)
-	var near: Dictionary[int, bool] = {}
-	for person: ServerPerson in _people.values() if not own.is_empty() else []:
-		var away: float = person.hips().distance_to(own[0].hips())
-		if person.session > 0 and person.session != p_session and away <= p_range_m:
-			near[person.session] = true
-	return PackedInt32Array(near.keys())
-
-
 ## Sets everybody's motors for the next step.
 func drive(p_now_s: float, p_delta_s: float) -> void:
 	_carry(p_delta_s)
@@ -211,18 +199,6 @@ func stats() -> Array[Dictionary]:
 	for person: ServerPerson in _people.values():
 		result.append(person.stats())
 	return result + _gone
-
-
-## Adds how many people a client has, and how well their bodies follow, to its row in the list of
-## who is here.
-func describe(p_row: RosterRow) -> void:
-	var sum_deg: float = 0.0
-	for person: ServerPerson in _people.values():
-		if person.session == p_row.session:
-			p_row.people += 1
-			sum_deg += person.ragdoll.motor.get_tracking().get("mean_deg", 0.0)
-	if p_row.people > 0:
-		p_row.tracking_deg = sum_deg / p_row.people
 
 
 ## Removes everybody from the table: the level goes.

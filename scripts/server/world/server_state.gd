@@ -81,7 +81,18 @@ func _describe_client(p_row: RosterRow) -> void:
 	var stats: Dictionary = context.replication.stats_of(p_row.session)
 	p_row.round_trip_ms = stats.get("round_trip_ms", -1.0)
 	p_row.delay_ms = stats.get("display_latency_ms_p50", -1.0)
-	context.people.describe(p_row)
+	_describe_people(p_row)
+
+
+## How many people a client has, and how well their bodies follow.
+func _describe_people(p_row: RosterRow) -> void:
+	var sum_deg: float = 0.0
+	for person: ServerPerson in context.people.list():
+		if person.session == p_row.session:
+			p_row.people += 1
+			sum_deg += person.ragdoll.motor.get_tracking().get("mean_deg", 0.0)
+	if p_row.people > 0:
+		p_row.tracking_deg = sum_deg / p_row.people
 
 
 func _on_joined(p_session: int, p_hello: Dictionary) -> void:

@@ -12,33 +12,29 @@ const _NAMES: Dictionary[AxisCalibrator.Kind, String] = {
 	AxisCalibrator.Kind.BRAKE: "Brake",
 }
 
-## Where the rows begin, and how they follow one another, pixels. The engine's release build reports
-## errors whenever a container is freed: there are none here.
-const _ROWS: Rect2 = Rect2(24.0, 116.0, 512.0, 40.0)
-const _ROW_STEP: float = 46.0
-const _BUTTON_WIDTH: float = 220.0
-
-@export var _panel: Control
-@export var _say: Label
-@export var _done: Button
-@export var _forget: Button
-@export var _close: Button
-
 ## Where calibrations are kept.
 var settings: ControlSettings = null
 
+var _panel: UiPanel = UiPanel.new("Wheel and pedals", 512.0)
+var _say: Label = null
+var _done: Button = null
+var _first: Button = null
 var _calibrator: AxisCalibrator = AxisCalibrator.new()
 var _is_watching: bool = false
 var _bars: Dictionary[AxisCalibrator.Kind, ProgressBar] = {}
 
 
-func _ready() -> void:
+func _init() -> void:
 	visible = false
+	_say = _panel.add_text()
 	for kind: AxisCalibrator.Kind in _NAMES:
 		_add_row(kind)
-	_done.pressed.connect(finish)
-	_forget.pressed.connect(_forget_all)
-	_close.pressed.connect(hide_panel)
+	_done = _panel.add_answer("Done", finish)
+	_done.clip_text = true
+	_done.size_flags_stretch_ratio = 3.0
+	_panel.add_answer("Forget", _forget_all)
+	_panel.add_answer("Close", hide_panel)
+	add_child(_panel)
 
 
 func _process(_delta: float) -> void:
@@ -71,6 +67,7 @@ func show_panel(p_settings: ControlSettings) -> void:
 	_done.disabled = true
 	_done.text = "Done"
 	_say.text = describe_devices()
+	_first.grab_focus()
 
 
 ## Closes.
@@ -128,19 +125,22 @@ func _forget_all() -> void:
 
 
 func _add_row(p_kind: AxisCalibrator.Kind) -> void:
-	var top: float = _ROWS.position.y + _ROW_STEP * _bars.size()
+	var row: HBoxContainer = HBoxContainer.new()
+	_panel.rows.add_child(row)
 	var button: Button = Button.new()
 	button.text = "Calibrate: %s" % _NAMES[p_kind]
-	button.position = Vector2(_ROWS.position.x, top)
-	button.size = Vector2(_BUTTON_WIDTH, _ROWS.size.y)
+	button.custom_minimum_size.x = 220.0
 	button.pressed.connect(begin.bind(p_kind))
+	row.add_child(button)
 	var bar: ProgressBar = ProgressBar.new()
 	bar.min_value = -1.0 if p_kind == AxisCalibrator.Kind.STEER else 0.0
 	bar.max_value = 1.0
 	bar.step = 0.001
 	bar.show_percentage = false
-	bar.position = Vector2(_ROWS.position.x + _BUTTON_WIDTH + 16.0, top + 11.0)
-	bar.size = Vector2(_ROWS.size.x - _BUTTON_WIDTH - 16.0, 18.0)
-	_panel.add_child(button)
-	_panel.add_child(bar)
+	bar.custom_minimum_size.y = 18.0
+	bar.size_flags_horizontal = Control.SIZE_EXPAND_FILL
+	bar.size_flags_vertical = Control.SIZE_SHRINK_CENTER
+	row.add_child(bar)
 	_bars[p_kind] = bar
+	if _first == null:
+		_first = button

@@ -29,7 +29,7 @@ var vehicle: Vehicle = null
 var _kind: VehicleParameters.GearKind = VehicleParameters.GearKind.SPHERES
 
 @onready var _plots: VehiclePlots = $Overlay/Plots
-@onready var _sliders: VBoxContainer = $Overlay/Sliders
+@onready var _sliders: VBoxContainer = $Overlay/Board/Sliders
 @onready var _sketch: VehicleSketch = $Sketch
 @onready var _camera: Camera3D = $Camera
 
@@ -116,19 +116,9 @@ func _fill_sliders() -> void:
 		child.queue_free()
 	for property: StringName in SLIDERS:
 		var value: float = vehicle.parameters.get(property)
-		var label: Label = Label.new()
-		var slider: HSlider = HSlider.new()
-		slider.min_value = 0.25 * value
-		slider.max_value = 4.0 * value
-		slider.step = 0.01 * value
-		slider.value = value
-		slider.custom_minimum_size = Vector2(220.0, 16.0)
-		slider.focus_mode = Control.FOCUS_NONE
-		label.text = "%s  %s" % [property, String.num(value, 3)]
-		slider.value_changed.connect(
-			func(p_value: float) -> void:
-				label.text = "%s  %s" % [property, String.num(p_value, 3)]
-				change(property, p_value)
-		)
-		_sliders.add_child(label)
-		_sliders.add_child(slider)
+		var row: UiSlider = UiSlider.new(property, Vector3(0.25, 4.0, 0.01) * value, "", "", 170.0)
+		row.show_value(value)
+		# Keys drive.
+		row.slider.focus_mode = Control.FOCUS_NONE
+		row.moved.connect(func(p_value: float) -> void: change(property, p_value))
+		_sliders.add_child(row)

@@ -9,6 +9,6 @@ func test_the_newest_is_first_and_old_ones_go() -> void:
 		lines.show_caption("sound %d" % number, PI / 2.0)
 	equal(lines.texts().size(), CaptionLines.MAX_LINES)
 	equal(lines.texts()[0], "→  sound 5")
-	lines._process(CaptionLines.STAY_S + 0.1)
+	lines.toasts._process(CaptionLines.STAY_S + 0.1)
 	equal(lines.texts().size(), 0)
 	lines.free()

@@ -22,7 +22,7 @@ func test_the_menu_shows_what_is_on_and_volumes_are_kept_once_they_settle() -> v
 	is_true(menu._checks[&"captions"].button_pressed, "they are on by the option")
 	is_false(menu._checks[&"binaural"].button_pressed)
 	is_false(UserSettings.new(PATH).is_sound_on(&"captions"), "an option is no choice")
-	menu._sliders[SoundBuses.WORLD].value = 45.0
+	menu._sliders[SoundBuses.WORLD].slider.value = 45.0
 	almost_equal(SoundBuses.volume(SoundBuses.WORLD), 0.45, 0.001)
 	equal(UserSettings.new(PATH).volume(SoundBuses.WORLD), 1.0, "it may still move")
 	menu.close()

@@ -11,6 +11,7 @@ func before_each() -> void:
 	_menu.size = HmdMenu.SIZE_PX
 	_menu.chosen.connect(func(entry: HeadsetMenu.Entry) -> void: _chosen.append(entry))
 	add_child(_menu)
+	await process_frames(2)
 
 
 func after_each() -> void:
@@ -20,7 +21,7 @@ func after_each() -> void:
 func test_every_entry_can_be_chosen_and_read() -> void:
 	var bottom: float = 0.0
 	for button: Button in _menu.find_children("*", "Button", true, false):
-		var area: Rect2 = button.get_rect()
+		var area: Rect2 = button.get_global_rect()
 		is_true(area.position.y >= bottom, "%s lies over another" % button.text)
 		is_true(area.size.y > 80.0 and Rect2(Vector2.ZERO, _menu.size).encloses(area))
 		var wide: float = button.get_minimum_size().x

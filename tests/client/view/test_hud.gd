@@ -33,18 +33,19 @@ func test_a_note_stays_whatever_other_topics_have_to_say() -> void:
 
 
 func test_long_notes_and_news_stay_on_the_screen() -> void:
-	for name: String in ["Note", "News"]:
-		var label: Label = _hud.get_node(name)
-		label.text = "Something has happened. ".repeat(20)
-		label.show()
-		await process_frames(2)
+	var long: String = "Something has happened. ".repeat(20)
+	_hud.show_note(long, &"level")
+	_hud.show_news(long)
+	await process_frames(2)
+	var news: Label = _hud.find_child("News").get_child(0)
+	for label: Label in [_note(), news]:
 		is_true(
 			_screen.get_visible_rect().encloses(label.get_global_rect()),
-			"%s: %s" % [name, label.get_rect()]
+			"%s: %s" % [label.get_path(), label.get_global_rect()]
 		)
-		is_true(label.get_line_count() > 1, name)
-		equal(label.get_visible_line_count(), label.get_line_count(), name)
+		is_true(label.get_line_count() > 1, label.text)
+		equal(label.get_visible_line_count(), label.get_line_count())
 
 
 func _note() -> Label:
-	return _hud.get_node("Note")
+	return _hud.find_child("Note")

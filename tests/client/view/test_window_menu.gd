@@ -51,7 +51,7 @@ func test_the_quality_is_shown_and_chosen() -> void:
 	var chosen: Array[String] = []
 	_menu.quality_chosen.connect(func(name: String) -> void: chosen.append(name))
 	_menu.set_quality("high")
-	var button: Button = _menu.get_node(^"Menu/Quality")
+	var button: Button = _button("Quality")
 	equal(button.text, "Quality: high")
 	for name: String in Quality.NAMES:
 		button.pressed.emit()
@@ -86,7 +86,7 @@ func test_every_offered_key_is_an_action_of_the_project() -> void:
 
 
 func _button(p_name: String) -> Button:
-	return _menu.get_node("Menu/" + p_name)
+	return _menu.find_child(p_name, true, false)
 
 
 func _press(p_key: Key) -> void:

@@ -35,7 +35,7 @@ func test_it_shows_the_server_and_both_keys() -> void:
 	is_false(_dialog.is_open())
 	_dialog.ask(_other)
 	is_true(_dialog.is_open())
-	var text: String = (_dialog.get_node(^"Panel/Text") as Label).text
+	var text: String = (_dialog.find_child("Text", true, false) as Label).text
 	for part: String in ["there:7777", "SHA256:before", KeyFingerprint.of(_other.shown)]:
 		contains(text, part)
 
@@ -60,7 +60,7 @@ func test_the_other_button_trusts_by_keyboard_and_mouse() -> void:
 	is_false(_dialog.is_open())
 	_dialog.ask(_other)
 	await process_frames(2)
-	_click(_dialog.get_node(^"Panel/Trust"))
+	_click(_dialog.find_child("TrustIt", true, false))
 	equal(_trusted.size(), 2)
 	equal(_left.size(), 0)
 

@@ -138,7 +138,7 @@ func test_changes_are_kept_by_a_key_or_with_the_calibration() -> void:
 func test_before_calibration_a_figure_stands_and_the_key_is_named() -> void:
 	await _go(0.3)
 	contains(_status(), "Not calibrated yet: press F4")
-	var view: PreviewView = _panel.get_node("Margin/Rows/Middle/Right/Views/Calibrated/View")
+	var view: PreviewView = _panel.get_node("Scroll/Margin/Rows/Middle/Right/Views/Calibrated/View")
 	var boxes: Array[Node] = view.stage.get_child(0).get_children()
 	var head: MeshInstance3D = boxes[Limbs.HEAD]
 	var foot: MeshInstance3D = boxes[Limbs.LEFT_FOOT]
@@ -147,7 +147,7 @@ func test_before_calibration_a_figure_stands_and_the_key_is_named() -> void:
 
 func test_somebody_alone_starts_by_a_gesture_and_reads_the_result() -> void:
 	var alone: CheckBox = _panel.get_node(
-		"Margin/Rows/Middle/Right/Calibration/Margin/Rows/More/Alone"
+		"Scroll/Margin/Rows/Middle/Right/Calibration/Margin/Rows/More/Alone"
 	)
 	alone.button_pressed = true
 	await _go(1.0)
@@ -195,7 +195,7 @@ func test_body_and_person() -> void:
 	is_false(sheet.visible)
 	var closed: Array[bool] = []
 	_panel.close_wanted.connect(func() -> void: closed.append(true))
-	var name: LineEdit = _panel.get_node("Margin/Rows/Person/Name")
+	var name: LineEdit = _panel.get_node("Scroll/Margin/Rows/Person/Name")
 	name.text_submitted.emit("../../etc/passwd")
 	contains(_status(), "a name neither begins nor ends")
 	name.text_submitted.emit("Anna")
@@ -212,10 +212,10 @@ func test_a_known_name_brings_the_known_person() -> void:
 	anna.size.set_height(1.6)
 	anna.map = _suit.get_profile().map
 	is_true(CalibrationStore.new(_panel_folder()).write(anna))
-	var name: LineEdit = _panel.get_node("Margin/Rows/Person/Name")
+	var name: LineEdit = _panel.get_node("Scroll/Margin/Rows/Person/Name")
 	name.text_submitted.emit("Anna")
 	equal(_suit.get_profile().size.height, 1.6)
-	var known: OptionButton = _panel.get_node("Margin/Rows/Person/Known")
+	var known: OptionButton = _panel.get_node("Scroll/Margin/Rows/Person/Known")
 	equal(known.get_item_text(known.selected), "Anna")
 	var file: FileAccess = FileAccess.open(
 		_panel_folder().path_join("Berta.json"), FileAccess.WRITE
@@ -244,10 +244,10 @@ func test_tab_reaches_every_control() -> void:
 		"Middle/Right/Calibration/Margin/Rows/Options/Facing",
 		"Middle/Right/Calibration/Margin/Rows/Options/Pose"
 	]:
-		is_true(reached.has(_panel.get_node("Margin/Rows/" + path)), path)
+		is_true(reached.has(_panel.get_node("Scroll/Margin/Rows/" + path)), path)
 	for button: Node in (
 		_panel
-		. get_node("Margin/Rows/Middle/Right/Calibration/Margin/Rows/Kinds/First")
+		. get_node("Scroll/Margin/Rows/Middle/Right/Calibration/Margin/Rows/Kinds/First")
 		. get_children()
 	):
 		is_true(reached.has(button), (button as Button).text)
@@ -267,7 +267,7 @@ func test_two_suits() -> void:
 	var other: SuitSource = SuitSource.new(WornSensorFeed.new())
 	other.rename("Berta")
 	_panel.show_suits([_suit, other] as Array[SuitSource])
-	var list: OptionButton = _panel.get_node("Margin/Rows/Person/Suit")
+	var list: OptionButton = _panel.get_node("Scroll/Margin/Rows/Person/Suit")
 	is_true(list.visible)
 	equal(list.get_item_text(1), "2: Berta")
 	list.item_selected.emit(1)
@@ -340,11 +340,11 @@ func _press_ctrl_z() -> void:
 
 
 func _sensors() -> SensorTable:
-	return _panel.get_node("Margin/Rows/Middle/Left/Sensors")
+	return _panel.get_node("Scroll/Margin/Rows/Middle/Left/Sensors")
 
 
 func _instruction() -> Label:
-	return _panel.get_node("Margin/Rows/Middle/Right/Calibration/Margin/Rows/Instruction")
+	return _panel.get_node("Scroll/Margin/Rows/Middle/Right/Calibration/Margin/Rows/Instruction")
 
 
 func _guide() -> GuideView:
@@ -353,13 +353,13 @@ func _guide() -> GuideView:
 
 func _advice() -> String:
 	var label: RichTextLabel = _panel.get_node(
-		"Margin/Rows/Middle/Right/Calibration/Margin/Rows/Advice"
+		"Scroll/Margin/Rows/Middle/Right/Calibration/Margin/Rows/Advice"
 	)
 	return label.text
 
 
 func _status() -> String:
-	return (_panel.get_node("Margin/Rows/Person/Status") as Label).text
+	return (_panel.get_node("Scroll/Margin/Rows/Person/Status") as Label).text
 
 
 func _panel_folder() -> String:

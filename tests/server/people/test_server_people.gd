@@ -41,31 +41,6 @@ func test_come_and_go() -> void:
 	equal(_actors.get_child_count(), 1, "bodies")
 
 
-func test_the_server_has_people_of_its_own() -> void:
-	_add(7, "Ada", 0.95)
-	var guard: int = _actors.enlist(PersonCard.of("", 0.95), "Guard")
-	var other: int = _actors.enlist(PersonCard.of("", 0.95), "Other")
-	is_true(guard < 0 and other < 0 and guard != other)
-	_actors.settle()
-	equal(_actors.list().map(_name), ["Ada", "Guard", "Other"])
-	var person: ServerPerson = _actors.list()[1]
-	var row: EntityRow = _table.find(person.id)
-	equal([row.owner, row.person_name], [0, "Guard"], "it is no client's")
-	var bytes: EntityTableMessage = EntityTableMessage.new()
-	bytes.spawned.append(row)
-	equal(EntityTableMessage.decode(bytes.encode(), _table.types).spawned[0].owner, 0)
-	var sample: PoseSample = NetSamples.pose(RandomNumberGenerator.new())
-	sample.time_usec = 1000000
-	_actors.push_sample(guard, sample, _now_s)
-	equal(person.newest, sample)
-	equal([_actors.list()[0].newest, _actors.list()[2].newest], [null, null])
-	_actors.remove(guard)
-	_actors.settle()
-	equal(_actors.list().map(_name), ["Ada", "Other"])
-	_actors.changes.max_people = 2
-	equal(_actors.enlist(PersonCard.of("", 0.95), "Third"), 0, "there is no room")
-
-
 func test_everybody_starts_at_a_place_of_his_own() -> void:
 	for peer: int in 4:
 		_add(peer, "n%d" % peer, 0.95)

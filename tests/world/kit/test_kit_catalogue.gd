@@ -12,7 +12,7 @@ func test_each_can_be_made() -> void:
 		add_child(node)
 		for property: StringName in item.values:
 			equal(node.get(property), item.values[property], item.title)
-		if node is KitBlock:
+		if node.has_method(&"contact_key"):
 			equal(node._get_configuration_warnings(), PackedStringArray(), item.title)
 		node.free()
 
@@ -33,6 +33,6 @@ func test_search() -> void:
 func test_blocks_stand_on_the_ground() -> void:
 	for item: RefCounted in KitCatalogue.items():
 		var node: Node3D = item.make()
-		if node is Block:
+		if item.source.ends_with("/kit/block.gd"):
 			almost_equal(item.lift, node.get(&"size").y / 2.0, 1e-5, item.title)
 		node.free()

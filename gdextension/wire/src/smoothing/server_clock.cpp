@@ -3,13 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace wire {
 
 ServerClock::Verdict ServerClock::arrived(uint32_t p_tick, double p_now_s) {
 	const double delay = p_now_s - time_of(p_tick);
 	Verdict verdict = Verdict::USABLE;
-	if (is_known() && std::fabs(delay - _difference) > JUMP_S) {
+	if (is_known() && std::fabs(delay - _difference()) > JUMP_S) {
 		// The parts of one tick are one witness.
 		_strange += _strange == 0 || p_tick != _strange_tick ? 1 : 0;
 		_strange_tick = p_tick;
@@ -22,18 +23,7 @@ ServerClock::Verdict ServerClock::arrived(uint32_t p_tick, double p_now_s) {
 	_strange = 0;
 	_note_interval(p_tick);
 	_note_delay(delay, p_now_s);
-	if (p_now_s - _window_begin > WINDOW_S) {
-		// After a silence the arrivals before it say nothing.
-		_quickest_before = p_now_s - _last > SILENCE_S ? std::numeric_limits<double>::infinity() : _quickest;
-		_window_begin = p_now_s;
-		_quickest = std::numeric_limits<double>::infinity();
-	}
-	_quickest = std::min(_quickest, delay);
-	double rise = std::min(_quickest, _quickest_before) - _difference;
-	if (rise > 0.0 && rise <= PAUSE_S) {
-		rise = std::min(rise, std::max(p_now_s - _last, 0.0) * RISE);
-	}
-	_difference = is_known() ? std::min(_difference + std::max(rise, 0.0), delay) : delay;
+	_quickest.note(p_now_s, delay);
 	_last = p_now_s;
 	return verdict;
 }
@@ -69,7 +59,7 @@ double ServerClock::lately_now(double p_now_s) const {
 			quickest = std::min(quickest, _arrivals[i].delay);
 		}
 	}
-	return p_now_s - std::max(quickest, _difference);
+	return p_now_s - std::max(quickest, _difference());
 }
 
 double ServerClock::lateness(double p_fraction) const {
@@ -87,7 +77,7 @@ double ServerClock::lateness(double p_fraction) const {
 	const double index = std::ceil(p_fraction * double(count)) - 1.0;
 	const std::size_t rank = std::size_t(std::min(std::max(index, 0.0), double(count - 1)));
 	std::nth_element(delays.begin(), delays.begin() + std::ptrdiff_t(rank), delays.begin() + std::ptrdiff_t(count));
-	return std::max(delays[rank] - _difference, 0.0);
+	return std::max(delays[rank] - _difference(), 0.0);
 }
 
 double ServerClock::interval() const {

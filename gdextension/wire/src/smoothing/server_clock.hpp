@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <quickest_arrivals.hpp>
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 namespace wire {
 
 /// What the server's clock shows, seen from a client: estimated from when ticks arrive.
 ///
-/// The latency varies, but never falls below some minimum: the quickest arrivals of the last
-/// one or two seconds give the difference of the clocks. The difference falls at once and rises slowly. What
+/// The quickest arrivals of the last one or two seconds give the difference of the clocks (`QuickestArrivals`). What
 /// the others were later than that says how far display must stay behind to have them in time.
 class ServerClock {
 public:
@@ -24,10 +24,6 @@ public:
 
 	static constexpr double JUMP_S = 5.0; ///< Ticks that are further off come from another server.
 	static constexpr int CONFIRMATIONS = 3; ///< One stray datagram does not make a new server.
-	static constexpr double WINDOW_S = 1.0; ///< Span whose quickest arrival counts.
-	static constexpr double RISE = 0.1; ///< How fast the difference rises, seconds per second.
-	static constexpr double PAUSE_S = 0.25; ///< A rise beyond this is taken over at once.
-	static constexpr double SILENCE_S = 0.5; ///< After so long without an arrival, old ones do not count.
 	static constexpr double LATENESS_S = 2.0; ///< Span over which lateness counts.
 	static constexpr double LATELY_S = 0.1; ///< Span whose quickest arrival counts for lately_now().
 
@@ -35,13 +31,13 @@ public:
 	Verdict arrived(uint32_t p_tick, double p_now_s);
 	void clear();
 
-	bool is_known() const { return _difference < std::numeric_limits<double>::infinity(); }
+	bool is_known() const { return _quickest.is_known(); }
 	/// Time of a tick in the server's clock, s.
 	double time_of(uint32_t p_tick) const { return double(p_tick) / tick_rate; }
 	/// Time of the newest tick that has arrived, s.
 	double newest() const { return time_of(_newest_tick); }
 	/// The server's time of what would arrive now if it was as quick as the quickest, s.
-	double server_now(double p_now_s) const { return p_now_s - _difference; }
+	double server_now(double p_now_s) const { return p_now_s - _difference(); }
 	/// The server's time of what would arrive now if it was as quick as the quickest of late, s. Beyond
 	/// server_now() never; behind it while the server runs slower than its clock.
 	double lately_now(double p_now_s) const;
@@ -58,16 +54,15 @@ private:
 		double delay = 0.0;
 	};
 
+	/// The client's time minus the server's at the quickest arrival, s.
+	double _difference() const { return _quickest.delay_at(_last); }
 	void _note_interval(uint32_t p_tick);
 	void _note_delay(double p_delay, double p_now_s);
 
 	static constexpr std::size_t KEPT = 256;
 	static constexpr std::size_t GAPS = 9;
 
-	double _difference = std::numeric_limits<double>::infinity();
-	double _quickest = std::numeric_limits<double>::infinity();
-	double _quickest_before = std::numeric_limits<double>::infinity();
-	double _window_begin = -std::numeric_limits<double>::infinity();
+	clocks::QuickestArrivals _quickest;
 	double _last = 0.0;
 	std::array<Arrival, KEPT> _arrivals{};
 	std::size_t _arrival_count = 0; // Of all; the newest KEPT are kept.

@@ -2,9 +2,10 @@
 #pragma once
 
 #include "bus/stream_check.hpp"
-#include "clock/source_clock.hpp"
 #include "session/line_budget.hpp"
 #include "session/suit_frame.hpp"
+
+#include <source_clock.hpp>
 
 #include <array>
 #include <cstdint>

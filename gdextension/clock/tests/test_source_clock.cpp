@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Times of samples from a source's own time and jittering arrivals.
-#include "clock/source_clock.hpp"
+#include "source_clock.hpp"
 
 #include <check.hpp>
 

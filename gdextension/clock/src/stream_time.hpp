@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "clock/source_clock.hpp"
+#include "source_clock.hpp"
 
 #include <utility>
 #include <vector>

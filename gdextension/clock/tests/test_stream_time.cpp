@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Times of samples that wait on their way for different times.
-#include "clock/stream_time.hpp"
+#include "stream_time.hpp"
 
 #include <check.hpp>
 
