@@ -73,6 +73,7 @@ void RagdollPlan::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
 
 std::vector<int> RagdollPlan::get_limb_groups() const {
 	std::vector<int> groups;
+	groups.reserve(_segments.size());
 	for (const ragdoll::Segment &limb : _segments) {
 		groups.push_back(limb.group);
 	}

@@ -32,12 +32,13 @@ void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose
 		JointState joint = find_joint(i, p_actual, p_now, p_next, p_delta_s);
 		const bool is_root = (*_rig)[i].parent < 0;
 		const bool is_at_rest = command.mode == Actuation::DIRECT_SET || command.mode == Actuation::LIMP;
-		if (command.mode == Actuation::VELOCITY_MOTOR) {
+		const bool is_known = command.mode == Actuation::VELOCITY_MOTOR || is_at_rest;
+		// The root's joint leads to the world and always has a motor.
+		const bool is_root_motor = !is_known && is_root && _others && !_others->drives_root(command.mode);
+		if (command.mode == Actuation::VELOCITY_MOTOR || is_root_motor) {
 			command_velocity(i, joint, p_delta_s, command);
 		} else if (is_at_rest || !_others) {
 			command.velocity = {};
-		} else if (is_root && !_others->drives_root(command.mode)) { // Its joint to the world always has a motor.
-			command_velocity(i, joint, p_delta_s, command);
 		} else {
 			joint.spring = p_table.get_spring(i);
 			_others->command(i, joint, settings, p_delta_s, command);
