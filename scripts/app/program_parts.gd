@@ -42,15 +42,15 @@ const CLIENT: Dictionary[String, Who] = {
 
 ## The parts of a server, in their order: see [ServerPart].
 const SERVER: PackedStringArray = [
-	"res://scripts/server/session/server_port.gd",
-	"res://scripts/server/world/server_state.gd",
-	"res://scripts/server/world/server_world.gd",
-	"res://scripts/server/world/server_effects.gd",
-	"res://scripts/server/world/server_crowd.gd",
-	"res://scripts/server/world/server_things.gd",
-	"res://scripts/server/world/server_motion.gd",
-	"res://scripts/server/session/server_status.gd",
-	"res://scripts/server/session/companion_watch.gd",
+	"res://scripts/server/parts/port_part.gd",
+	"res://scripts/server/parts/replication_part.gd",
+	"res://scripts/server/parts/level_part.gd",
+	"res://scripts/server/effects/server_effects.gd",
+	"res://scripts/server/parts/people_part.gd",
+	"res://scripts/server/parts/entities_part.gd",
+	"res://scripts/server/parts/motion_part.gd",
+	"res://scripts/server/parts/status_part.gd",
+	"res://scripts/server/parts/companion_part.gd",
 ]
 
 ## What has options: each script has [code]static func rows() -> Array[OptionRow][/code].
@@ -59,8 +59,8 @@ const SERVER: PackedStringArray = [
 const OPTIONS: PackedStringArray = [
 	"res://scripts/net/session/connection_options.gd",
 	"res://scripts/client/suit/suit_options.gd",
-	"res://scripts/server/world/world_options.gd",
-	"res://scripts/server/session/server_options.gd",
+	"res://scripts/server/parts/server_options.gd",
+	"res://scripts/server/parts/world_options.gd",
 	"res://scripts/client/display/display_options.gd",
 	"res://scripts/client/sound/sound_options.gd",
 	"res://scripts/client/level/level_options.gd",

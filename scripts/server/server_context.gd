@@ -19,9 +19,9 @@ var people: ServerPeople = null
 var link: ServerLink = ServerLink.new()
 ## Carries out what instructors order.
 var control: SessionControl = SessionControl.new(link)
-## Sends clients the state of the world; made by [ServerState].
+## Sends clients the state of the world; made by [ReplicationPart].
 var replication: Replication = null
-## The server's side of all entities; made by [ServerThings].
+## The server's side of all entities; made by [EntitiesPart].
 var entities: ServerEntities = null
 ## What is measured of the ticks.
 var stats: ServerStats = null

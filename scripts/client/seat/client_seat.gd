@@ -45,8 +45,8 @@ func open(p_context: ClientContext) -> String:
 		hud.follow(_controls)
 		_panel = preload("res://scenes/vehicle/controls/axis_panel.tscn").instantiate()
 		add_child(_panel)
-		context.menu.wheel_wanted.connect(
-			func() -> void: _panel.show_panel(_controls.reader.settings)
+		context.menu.add_entry(
+			"Wheel and pedals", func() -> void: _panel.show_panel(_controls.reader.settings)
 		)
 	if context.options.is_on("prediction"):
 		_prediction.follow(

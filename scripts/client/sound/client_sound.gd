@@ -51,7 +51,8 @@ func open(p_context: ClientContext) -> String:
 		return ""
 	_scene = context.scene
 	_settings = context.settings if context.settings != null else UserSettings.new()
-	_menu = context.menu.sound_menu
+	_menu = SoundMenu.new()
+	context.menu.add_page("Sound", _menu, _menu.open, _menu.closed)
 	context.told.connect(func(_text: String) -> void: click_radio())
 	voices = SoundVoices.new()
 	voices.surroundings.set_absorption(_absorption_of)

@@ -1,48 +1,56 @@
 class_name WindowMenu
 extends CanvasLayer
-## What Esc leads to: go on, see the keys, choose the quality, set the sound, calibrate a
-## wheel, fill the screen, leave. F1 shows the keys at once.
+## What Esc leads to: go on, see the keys, fill the screen, leave, and what the parts of the client
+## add to it ([method add_entry], [method add_page]). F1 shows the keys at once.
 
 ## The user wants to end the program.
 signal leave_wanted
-## The user wants another tier of quality, one of [constant Quality.NAMES].
-signal quality_chosen(p_name: String)
-## The user wants to calibrate a wheel and pedals.
-signal wheel_wanted
 
 const _SHOW_KEYS: StringName = &"show_keys"
 const _FULL_SCREEN: StringName = &"toggle_full_screen"
 const _MENU: StringName = &"ui_cancel"
 
-## Where the sound is set.
-var sound_menu: SoundMenu = SoundMenu.new()
-
 var _menu: UiPanel = UiPanel.new("Dismount", 232.0)
 var _guide: UiPanel = UiPanel.new("Keys", 720.0)
 var _list: GridContainer = GridContainer.new()
 var _continue: Button = null
-var _quality: Button = null
-## Place of the tier of quality among its names.
-var _tier: int = 0
+var _leave: Button = null
+var _pages: Array[UiPanel] = []
 
 
 func _init() -> void:
 	_continue = _menu.add_button("Continue", _show_menu.bind(false))
 	_menu.add_button("Keys", _show_keys)
 	_menu.add_button("Full screen", _toggle_full_screen)
-	_quality = _menu.add_button("Quality", _choose_next_quality)
-	_menu.add_button("Sound", _on_sound_pressed)
-	_menu.add_button("Wheel and pedals", _on_wheel_pressed)
-	_menu.add_button("Leave", leave_wanted.emit)
+	_leave = _menu.add_button("Leave", leave_wanted.emit)
 	_list.columns = 4
 	_guide.rows.add_child(_list)
 	# The camera is turned by the mouse meanwhile.
 	for part: Node in [_guide] + _guide.find_children("*", "Control", true, false):
 		(part as Control).mouse_filter = Control.MOUSE_FILTER_IGNORE
-	sound_menu.closed.connect(_show_menu.bind(true))
-	for panel: UiPanel in [_menu, _guide, sound_menu]:
+	for panel: UiPanel in [_menu, _guide]:
 		panel.visible = false
 		add_child(panel)
+
+
+## Adds an entry before the last one, and returns its button. The menu closes when it is chosen,
+## unless it stays open for another choice.
+func add_entry(p_text: String, p_chosen: Callable, p_stays_open: bool = false) -> Button:
+	var button: Button = _menu.add_button(p_text, p_chosen)
+	if not p_stays_open:
+		button.pressed.connect(_show_menu.bind(false))
+	_menu.rows.move_child(button, _leave.get_index())
+	return button
+
+
+## Adds an entry that opens a panel, by [param p_opens]. The menu counts as open as long as the
+## panel is, and [param p_closed], a signal of the panel, leads back to it.
+func add_page(p_text: String, p_page: UiPanel, p_opens: Callable, p_closed: Signal) -> void:
+	add_entry(p_text, p_opens)
+	p_closed.connect(_show_menu.bind(true))
+	_pages.append(p_page)
+	p_page.visible = false
+	add_child(p_page)
 
 
 ## Sets the keys that do something here, as of [method KeyGuide.describe]: in two columns, the upper
@@ -69,20 +77,9 @@ func _add_key(p_line: String) -> void:
 	_list.add_child(does)
 
 
-## Sets the tier of quality that is used.
-func set_quality(p_name: String) -> void:
-	_tier = Quality.NAMES.find(p_name)
-	_quality.text = "Quality: " + p_name
-
-
-func _choose_next_quality() -> void:
-	set_quality(Quality.NAMES[(_tier + 1) % Quality.NAMES.size()])
-	quality_chosen.emit(Quality.NAMES[_tier])
-
-
 ## Whether the menu is open.
 func is_open() -> bool:
-	return _menu.visible or sound_menu.visible
+	return _menu.visible or _pages.any(func(page: UiPanel) -> bool: return page.visible)
 
 
 ## Whether the list of keys is open.
@@ -109,16 +106,6 @@ func _show_menu(p_shows: bool) -> void:
 	_menu.visible = p_shows
 	if p_shows:
 		_continue.grab_focus()
-
-
-func _on_wheel_pressed() -> void:
-	_show_menu(false)
-	wheel_wanted.emit()
-
-
-func _on_sound_pressed() -> void:
-	_show_menu(false)
-	sound_menu.open()
 
 
 func _show_keys() -> void:

@@ -13,6 +13,9 @@ const _CLICK_PIXELS: float = 6.0
 
 var _menu: WindowMenu = null
 var _moves: bool = false
+var _quality: Button = null
+## Place of the tier of quality among its names.
+var _tier: int = 0
 var _press: Vector2 = Vector2.INF
 
 
@@ -47,13 +50,20 @@ func _set_up_quality(p_name: String) -> void:
 			RenderingServer.get_video_adapter_name(), RenderingServer.get_video_adapter_type()
 		)
 	Quality.use(Quality.find(name), get_viewport())
-	_menu.set_quality(name)
-	_menu.quality_chosen.connect(_on_quality_chosen)
+	_quality = _menu.add_entry("Quality", _choose_next_quality, true)
+	_show_quality(name)
 
 
-func _on_quality_chosen(p_name: String) -> void:
-	context.settings.choose_quality(p_name)
-	Quality.use(Quality.find(p_name), get_viewport())
+func _show_quality(p_name: String) -> void:
+	_tier = Quality.NAMES.find(p_name)
+	_quality.text = "Quality: " + p_name
+
+
+func _choose_next_quality() -> void:
+	var name: String = Quality.NAMES[(_tier + 1) % Quality.NAMES.size()]
+	_show_quality(name)
+	context.settings.choose_quality(name)
+	Quality.use(Quality.find(name), get_viewport())
 
 
 func _unhandled_input(p_event: InputEvent) -> void:

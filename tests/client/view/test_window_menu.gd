@@ -47,20 +47,26 @@ func test_the_buttons_do_what_they_say() -> void:
 	equal(left.size(), 1)
 
 
-func test_the_quality_is_shown_and_chosen() -> void:
+func test_parts_add_entries_and_pages() -> void:
 	var chosen: Array[String] = []
-	_menu.quality_chosen.connect(func(name: String) -> void: chosen.append(name))
-	_menu.set_quality("high")
-	var button: Button = _button("Quality")
-	equal(button.text, "Quality: high")
-	for name: String in Quality.NAMES:
-		button.pressed.emit()
-	equal(chosen.size(), Quality.NAMES.size())
-	equal(chosen[-1], "high", "all in turn")
-	chosen.sort()
-	var all: Array[String] = Quality.NAMES.duplicate()
-	all.sort()
-	equal(chosen, all)
+	_menu.add_entry("Wheel", func() -> void: chosen.append("wheel"))
+	_menu.add_entry("Quality", func() -> void: chosen.append("quality"), true)
+	var page: SoundMenu = SoundMenu.new()
+	_menu.add_page("Sound", page, page.open, page.closed)
+	_press(KEY_ESCAPE)
+	equal(_button("Leave").get_index(), _button("Sound").get_index() + 1, "leaving comes last")
+	_button("Quality").pressed.emit()
+	is_true(_menu.is_open(), "it may be chosen again")
+	_button("Wheel").pressed.emit()
+	is_false(_menu.is_open())
+	equal(chosen, ["quality", "wheel"] as Array[String])
+	_press(KEY_ESCAPE)
+	_button("Sound").pressed.emit()
+	is_true(page.visible and _menu.is_open(), "keys are still meant for it")
+	page.close()
+	is_true(_menu.is_open(), "back to the menu")
+	_press(KEY_ESCAPE)
+	is_false(_menu.is_open())
 
 
 func test_only_keys_that_do_something_are_offered() -> void:

@@ -1,4 +1,4 @@
-class_name ServerThings
+class_name EntitiesPart
 extends ServerPart
 ## Fields, commands and events of all entities: makes and conducts [ServerEntities].
 

@@ -1,4 +1,4 @@
-class_name ServerWorld
+class_name LevelPart
 extends ServerPart
 ## The level of the server: loads it, changes it as instructors ask, sends its files to clients who
 ## lack them, and keeps time of day and weather.
@@ -26,6 +26,8 @@ func open(p_context: ServerContext) -> String:
 
 
 func begin() -> String:
+	# A world that cannot be used is a wrong option.
+	fault_code = 2
 	return context.level.load_level(context.options.text("world"))
 
 

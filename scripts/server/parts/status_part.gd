@@ -1,4 +1,4 @@
-class_name ServerStatus
+class_name StatusPart
 extends ServerPart
 ## Says how the server is: in the log, and by [StatusEndpoint] to whoever asks on this machine.
 

@@ -1,7 +1,7 @@
-class_name ServerCrowd
+class_name PeoplePart
 extends ServerPart
 ## The people of all sessions: gives each client the bodies of those whom it lists, and takes its
-## motion for them. [ServerMotion] moves the bodies.
+## motion for them. [MotionPart] moves the bodies.
 
 var _names: Dictionary[int, String] = {}
 var _lists: PeopleLists = PeopleLists.new()

@@ -1,4 +1,4 @@
-class_name ServerPort
+class_name PortPart
 extends ServerPart
 ## The server's port: whom it admits, what has arrived, and which of its rules may change while it
 ## runs.

@@ -1,4 +1,4 @@
-class_name ServerMotion
+class_name MotionPart
 extends ServerPart
 ## Sets the motors of all people's bodies before each physics step, and measures after it how well
 ## the bodies followed.

@@ -1,4 +1,4 @@
-class_name ServerState
+class_name ReplicationPart
 extends ServerPart
 ## Sends the state of the world to all clients, and records it: makes and conducts [Replication].
 

@@ -1,4 +1,4 @@
-class_name CompanionWatch
+class_name CompanionPart
 extends ServerPart
 ## Ends the server when the process of --end-with has ended, such as the editor that started it.
 
