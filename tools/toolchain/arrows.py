@@ -177,7 +177,12 @@ def find_cycles(uses: Iterable[Use]) -> list[list[str]]:
         left, right = folder_of(use.user), folder_of(use.used)
         if left != right and "scenes" not in (use.user[:6], use.used[:6]):
             arrows[left].add(right)
-    reached = {folder: _reach(arrows, folder) for folder in list(arrows)}
+    return find_rings(arrows)
+
+
+def find_rings(arrows: Mapping[str, Iterable[str]]) -> list[list[str]]:
+    """What leads back to itself by arrows from name to names, each ring once."""
+    reached = {name: _reach(arrows, name) for name in list(arrows)}
     rings = {
         tuple(sorted(b for b in reached[a] if a in reached.get(b, ())))
         for a in reached
@@ -186,7 +191,7 @@ def find_cycles(uses: Iterable[Use]) -> list[list[str]]:
     return [list(ring) for ring in sorted(rings)]
 
 
-def _reach(arrows: Mapping[str, set[str]], start: str) -> set[str]:
+def _reach(arrows: Mapping[str, Iterable[str]], start: str) -> set[str]:
     seen: set[str] = set()
     waiting = list(arrows.get(start, ()))
     while waiting:

@@ -47,6 +47,7 @@ def quick_gates(tools: Path) -> Iterator[tuple[str, list[str]]]:
     yield "ruff format", [str(tools / "ruff"), "format", "--no-cache", "--check", "."]
     yield "arrows", [sys.executable, "-m", "toolchain.arrows"]
     yield "method order", [sys.executable, "-m", "toolchain.method_order"]
+    yield "includes", [sys.executable, "-m", "toolchain.includes"]
     yield "bound", [sys.executable, "-m", "toolchain.bound"]
     yield "mirror", [sys.executable, "-m", "toolchain.mirror"]
     yield "words", [sys.executable, "-m", "toolchain.words"]

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <gait/ground.hpp>
+#include <world/ground.hpp>
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ray_cast3d.hpp>

@@ -9,28 +9,12 @@
 
 namespace godot {
 
-bool RagdollMotor::find_limbs(const PackedStringArray &p_names, std::vector<std::uint8_t> &r_limbs) const {
-	r_limbs.assign(_bones.size(), std::uint8_t(p_names.is_empty() ? 1 : 0));
-	for (int64_t i = 0; i < p_names.size(); i++) {
-		const StringName name = p_names[i];
-		bool is_known = false;
-		for (std::size_t limb = 0; limb < _bones.size(); limb++) {
-			const bool is_meant = _bones[limb] == name || _groups[std::size_t(_driver->get_rig()[limb].group)] == name;
-			r_limbs[limb] = std::uint8_t(is_meant || r_limbs[limb] != 0);
-			is_known = is_known || is_meant;
-		}
-		ERR_FAIL_COND_V_MSG(
-				!is_known, false, "RagdollMotor: the profile has no bone and no group " + String(name) + ".");
-	}
-	return true;
-}
-
 bool RagdollMotor::set_limb_control(const Ref<RagdollControl> &p_control, double p_blend_s) {
 	ERR_FAIL_COND_V_MSG(!_driver, false, "RagdollMotor: set_limb_control() comes after setup().");
 	ERR_FAIL_COND_V_MSG(p_control.is_null(), false, "RagdollMotor: there is no control.");
 	ERR_FAIL_COND_V_MSG(!is_amount(p_blend_s), false, "RagdollMotor: a blend takes 0 s or more.");
 	std::vector<std::uint8_t> limbs;
-	if (!find_limbs(p_control->get_limbs(), limbs)) {
+	if (!_plan.find_limbs(p_control->get_limbs(), limbs)) {
 		return false;
 	}
 	for (std::size_t i = 0; i < limbs.size(); i++) {
@@ -45,14 +29,14 @@ bool RagdollMotor::apply_control_profile(const Ref<RagdollControlProfile> &p_pro
 	ERR_FAIL_COND_V_MSG(!_driver, false, "RagdollMotor: apply_control_profile() comes after setup().");
 	ERR_FAIL_COND_V_MSG(p_profile.is_null(), false, "RagdollMotor: there is no control profile.");
 	ERR_FAIL_COND_V_MSG(!std::isfinite(p_blend_s), false, "RagdollMotor: a blend is a number of seconds.");
-	std::vector<ragdoll::LimbControl> controls(_bones.size());
+	std::vector<ragdoll::LimbControl> controls(_plan.get_bones().size());
 	std::vector<std::uint8_t> limbs;
 	const TypedArray<RagdollControl> given = p_profile->get_controls();
 	for (int64_t i = 0; i < given.size(); i++) {
 		const Ref<RagdollControl> control = given[i];
 		ERR_FAIL_COND_V_MSG(control.is_null(), false,
 				"RagdollMotor: a control of the profile " + String(p_profile->get_profile_name()) + " is empty.");
-		if (!find_limbs(control->get_limbs(), limbs)) {
+		if (!_plan.find_limbs(control->get_limbs(), limbs)) {
 			return false;
 		}
 		for (std::size_t limb = 0; limb < limbs.size(); limb++) {
@@ -78,8 +62,8 @@ bool RagdollMotor::invoke_control_profile(const StringName &p_name, double p_ble
 }
 
 double RagdollMotor::get_physics_blend(const StringName &p_bone) const {
-	for (std::size_t i = 0; _driver && i < _bones.size(); i++) {
-		if (_bones[i] == p_bone) {
+	for (std::size_t i = 0; _driver && i < _plan.get_bones().size(); i++) {
+		if (_plan.get_bones()[i] == p_bone) {
 			return _driver->get_table().get_physics_blend(i);
 		}
 	}
@@ -95,11 +79,11 @@ int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_position, d
 	ERR_FAIL_COND_V_MSG(!(p_strength >= 0.0 && p_strength <= 1.0), -1, "RagdollMotor: what a hit leaves is 0 to 1.");
 	ERR_FAIL_COND_V_MSG(!is_amount(p_blend_s), -1, "RagdollMotor: a blend takes 0 s or more.");
 	ERR_FAIL_COND_V_MSG(
-			!find_group(p_group, group), -1, "RagdollMotor: the profile has no group " + String(p_group) + ".");
+			!_plan.find_group(p_group, group), -1, "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	if (!_bodies->read(_state)) {
 		return -1;
 	}
-	std::vector<float> before(_bones.size());
+	std::vector<float> before(_plan.get_bones().size());
 	for (std::size_t i = 0; i < before.size(); i++) {
 		before[i] = _driver->get_table().get_flinch(i);
 	}

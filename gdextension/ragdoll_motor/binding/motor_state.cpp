@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: MIT
 // RagdollMotor: its state as bytes, and as a fingerprint.
 #include "ragdoll_motor.hpp"
-
-#include <cstring>
+#include "sealed_state.hpp"
 
 namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x36534D52; // "RMS6"
+constexpr std::uint32_t STATE_MAGIC = 0x37534D52; // "RMS7"
 
 } // namespace
 
 PackedByteArray RagdollMotor::save_state() {
-	PackedByteArray result;
 	if (!_driver || !_bodies->read(_state)) {
-		return result;
+		return PackedByteArray();
 	}
 	ragdoll::ArchiveWriter archive;
 	archive.put(STATE_MAGIC);
@@ -24,31 +22,14 @@ PackedByteArray RagdollMotor::save_state() {
 	archive.put_all(_state.centres);
 	archive.put_all(_state.linear);
 	archive.put_all(_state.angular);
-	ragdoll::StateHash sum;
-	for (const std::uint8_t byte : archive.get_bytes()) {
-		sum.add(byte);
-	}
-	archive.put(sum.get());
-	const std::vector<std::uint8_t> &bytes = archive.get_bytes();
-	result.resize(int64_t(bytes.size()));
-	std::memcpy(result.ptrw(), bytes.data(), bytes.size());
-	return result;
+	return seal(archive);
 }
 
 bool RagdollMotor::restore_state(const PackedByteArray &p_bytes) {
 	ERR_FAIL_COND_V_MSG(!_driver, false, "RagdollMotor: restore_state() comes after setup().");
-	const std::size_t size = std::size_t(p_bytes.size());
-	const std::size_t tail = sizeof(std::uint64_t);
-	ERR_FAIL_COND_V_MSG(size < tail, false, "RagdollMotor: the saved state is cut off.");
-	const std::uint8_t *bytes = p_bytes.ptr();
-	ragdoll::StateHash sum;
-	for (std::size_t i = 0; i < size - tail; i++) {
-		sum.add(bytes[i]);
-	}
-	std::uint64_t expected = 0;
-	std::memcpy(&expected, bytes + size - tail, tail);
-	ERR_FAIL_COND_V_MSG(sum.get() != expected, false, "RagdollMotor: the saved state is damaged.");
-	ragdoll::ArchiveReader archive(bytes, size - tail);
+	const String fault = find_seal_fault(p_bytes);
+	ERR_FAIL_COND_V_MSG(!fault.is_empty(), false, "RagdollMotor: " + fault + ".");
+	ragdoll::ArchiveReader archive = open_sealed(p_bytes);
 	std::uint32_t magic = 0;
 	const bool fits = archive.get(magic) && magic == STATE_MAGIC && _driver->restore(archive) &&
 			archive.get_all(_state.orientations) && archive.get_all(_state.centres) && archive.get_all(_state.linear) &&

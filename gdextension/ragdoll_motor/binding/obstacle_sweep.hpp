@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <obstacles.hpp>
+#include <world/obstacles.hpp>
 
 #include <godot_cpp/classes/physics_test_motion_parameters3d.hpp>
 #include <godot_cpp/classes/physics_test_motion_result3d.hpp>

@@ -35,7 +35,7 @@ RagdollBodies::~RagdollBodies() {
 }
 
 void RagdollBodies::free_all() {
-	free_assist();
+	_assist.free();
 	for (std::size_t i = 0; i < _written.size(); i++) {
 		// Bodies that were held at a pose fall again, as far as they are still there.
 		if (_written[i].is_set && server()->body_get_direct_state(_specs[i].body) != nullptr) {
@@ -80,14 +80,14 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;
 		_rest_inverse[i] = relative.inverse();
 		const Transform3D frame(Basis(from_core(relative * _specs[i].axes)), from_core(limb.anchor - parent.centre));
-		_joints[i] = make_joint(_specs[limb.parent].body, frame, i, false);
+		_joints[i] = make_joint(_specs[limb.parent].body, frame, i);
 		server()->joint_disable_collisions_between_bodies(_joints[i], true);
 	}
 	// A joint to the world needs a body there: a static one without a shape.
 	_anchor = server()->body_create();
 	server()->body_set_mode(_anchor, Joint::BODY_MODE_STATIC);
 	server()->body_set_space(_anchor, _space);
-	_joints[0] = make_joint(_anchor, Transform3D(), 0, true);
+	_joints[0] = make_motor_joint(_anchor, Transform3D(), _specs[0].body, frame_in_body(0));
 }
 
 void RagdollBodies::remake() {
@@ -105,17 +105,13 @@ void RagdollBodies::remake() {
 	make(*_rig, kept, where);
 }
 
-RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root) {
+RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb) {
 	const JointSpec &spec = _specs[p_limb];
 	const RID joint = server()->joint_create();
 	server()->joint_make_generic_6dof(joint, p_a, p_frame_a, spec.body, frame_in_body(p_limb));
 	// A new joint has no flag. The engine makes it anew for each limit: none is written in vain.
 	for (int i = 0; i < 3; i++) {
 		const Vector3::Axis axis = AXES[i];
-		if (p_is_root) {
-			server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, true);
-			continue;
-		}
 		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, true);
 		if (spec.has_limits) {
 			server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_LIMIT, true);
@@ -243,16 +239,6 @@ void RagdollBodies::set_drive(std::size_t p_limb, Drive p_drive) {
 	last.torque = -1.0f;
 }
 
-void RagdollBodies::set_torque(const RID &p_joint, float p_torque, float &r_written) {
-	if (r_written == p_torque) {
-		return;
-	}
-	r_written = p_torque;
-	for (const Vector3::Axis axis : AXES) {
-		server()->generic_6dof_joint_set_param(p_joint, axis, Joint::G6DOF_JOINT_ANGULAR_MOTOR_FORCE_LIMIT, p_torque);
-	}
-}
-
 void RagdollBodies::turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity) {
 	const ragdoll::Vec3 local = _specs[p_limb].axes.inverse().rotate(p_velocity);
 	const float axes[3] = { local.x, local.y, local.z };
@@ -314,7 +300,7 @@ void RagdollBodies::push_limbs(
 void RagdollBodies::weaken(std::size_t p_limb, float p_share) {
 	Written &last = _written[p_limb];
 	if (p_share < 1.0f && last.drive == Drive::MOTOR && last.torque > 0.0f) {
-		set_torque(_joints[p_limb], last.torque * p_share, last.torque);
+		set_motor_torque(_joints[p_limb], last.torque * p_share, last.torque);
 	}
 	if (p_limb == 0 && p_share < 1.0f && _hold.across > 0.0f) {
 		_hold.across *= p_share;
@@ -352,11 +338,66 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 				break;
 			default:
 				set_drive(i, Drive::MOTOR);
-				set_torque(_joints[i], command.max_torque, _written[i].torque);
+				set_motor_torque(_joints[i], command.max_torque, _written[i].torque);
 				turn(i, command.velocity);
 				break;
 		}
 	}
+}
+
+RootAssist::Handle RagdollBodies::find_handle(std::size_t p_limb) const {
+	return { _specs[p_limb].body, frame_in_body(p_limb), _specs[p_limb].axes };
+}
+
+void RagdollBodies::set_assist(ragdoll::RootMode p_mode) {
+	if (_assist.is_in(p_mode)) {
+		return;
+	}
+	ragdoll::RigState state;
+	state.resize(_specs.size());
+	RootAssist::Parts parts;
+	parts.space = _space;
+	parts.anchor = _anchor;
+	parts.root = find_handle(0);
+	if (_righted_limb > 0) {
+		parts.trunk = find_handle(std::size_t(_righted_limb));
+	}
+	parts.mass = _rig->get_mass();
+	parts.state = read(state) ? &state : nullptr;
+	_assist.set_mode(p_mode, parts);
+}
+
+void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
+	const float limits[3] = { p_command.force_across, p_command.force_up, p_command.force_across };
+	const bool changed = _hold.across != p_command.force_across || _hold.up != p_command.force_up;
+	const float axes[3] = { p_command.velocity.x, p_command.velocity.y, p_command.velocity.z };
+	for (int i = 0; i < 3; i++) {
+		const Vector3::Axis axis = Vector3::Axis(i);
+		if (changed) {
+			server()->generic_6dof_joint_set_flag(
+					_joints[0], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, limits[i] > 0.0f);
+			server()->generic_6dof_joint_set_param(
+					_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, limits[i]);
+		}
+		server()->generic_6dof_joint_set_param(
+				_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY, axes[i]);
+	}
+	_hold.across = p_command.force_across;
+	_hold.up = p_command.force_up;
+}
+
+void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command,
+		const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn) {
+	set_kinematic(0, false);
+	set_assist(p_mode);
+	set_drive(0, p_command.torque > 0.0f ? Drive::MOTOR : Drive::FREE);
+	set_motor_torque(_joints[0], p_command.torque, _written[0].torque);
+	set_forces(p_command);
+	if (p_command.push.length() > 0.0f) {
+		server()->body_apply_central_force(_specs[0].body, from_core(p_command.push));
+	}
+	set_motor_velocity(_joints[0], _specs[0].axes.inverse().rotate(p_turn));
+	_assist.drive(p_command, p_turn, p_trunk_turn);
 }
 
 } // namespace godot

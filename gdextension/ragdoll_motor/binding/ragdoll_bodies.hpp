@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "comparison/root_assist.hpp"
+#include "joint_motors.hpp"
+
 #include <control/world_drive.hpp>
-#include <controller.hpp>
-#include <root_drive.hpp>
+#include <joint/controller.hpp>
+#include <root/root_drive.hpp>
 
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
@@ -15,10 +18,6 @@
 #include <vector>
 
 namespace godot {
-
-inline PhysicsServer3D *server() {
-	return PhysicsServer3D::get_singleton();
-}
 
 /// The bodies of a ragdoll in the physics engine, and the joints that this class makes for them.
 ///
@@ -98,11 +97,9 @@ private:
 		float torque = -1.0f;
 	};
 
-	RID make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb, bool p_is_root);
+	RID make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb);
 	void set_assist(ragdoll::RootMode p_mode);
-	void make_pendulum();
-	void free_assist();
-	void set_motors(const RID &p_joint, const ragdoll::Vec3 &p_turn);
+	RootAssist::Handle find_handle(std::size_t p_limb) const;
 	void set_forces(const ragdoll::RootCommand &p_command);
 	void free_all();
 	Transform3D frame_in_body(std::size_t p_limb) const;
@@ -111,7 +108,6 @@ private:
 	void set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
 	void set_drive(std::size_t p_limb, Drive p_drive);
 	void set_loose(std::size_t p_limb, bool p_loose);
-	void set_torque(const RID &p_joint, float p_torque, float &r_written);
 	void turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity);
 	void pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
 	void push(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
@@ -128,11 +124,8 @@ private:
 	bool _has_stepped = false; // The space, since the joints were made.
 	uint64_t _first_frame = 0; // At whose end the space steps for the first time.
 	RID _anchor;
-	RID _pendulum;
-	RID _assist_joint; // Of the pendulum, or between the trunk and the world.
-	float _assist_torque = -1.0f;
+	RootAssist _assist; // PENDULUM, SELF_RIGHTING.
 	int _righted_limb = -1;
-	ragdoll::RootMode _assist = ragdoll::RootMode::SOFT;
 };
 
 } // namespace godot

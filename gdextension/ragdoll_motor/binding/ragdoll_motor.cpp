@@ -37,7 +37,7 @@ bool RagdollMotor::read_bodies() {
 }
 
 void RagdollMotor::resize_body_pose() {
-	int64_t slot_count = int64_t(_reset_pose.size());
+	int64_t slot_count = int64_t(_plan.get_reset_pose().size());
 	for (int64_t i = 0; i < _sample_slots.size(); i++) {
 		slot_count = std::max<int64_t>(slot_count, std::min<int64_t>(_sample_slots[i] + 1, 256));
 	}
@@ -99,7 +99,7 @@ void RagdollMotor::look_at_ground() {
 	const bool wanted = _driver && is_inside_tree();
 	_driver->ground = wanted ? &_ground : nullptr;
 	if (wanted) {
-		_ground.attach(this, _body_rids, std::uint32_t(_ground_mask));
+		_ground.attach(this, _plan.get_bodies(), std::uint32_t(_ground_mask));
 	} else {
 		_ground.detach();
 	}
@@ -107,7 +107,7 @@ void RagdollMotor::look_at_ground() {
 
 bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
 		const PackedFloat32Array &p_rates) {
-	const std::size_t count = _reset_pose.size();
+	const std::size_t count = _plan.get_reset_pose().size();
 	// A sample may be of more limbs than the profile has, where slots say which are meant.
 	const bool is_chosen = !_sample_slots.is_empty();
 	if (!_driver || (is_chosen && _sample_slots.size() != int64_t(count)) || p_rotations.size() % 4 != 0 ||
@@ -125,7 +125,8 @@ bool RagdollMotor::push_sample(double p_time_s, const PackedFloat32Array &p_rota
 		}
 		const float *values = rotations + slot * 4;
 		// Thesis section 6.2: q = r i.
-		const ragdoll::Quat target = ragdoll::Quat{ values[0], values[1], values[2], values[3] } * _reset_pose[i];
+		const ragdoll::Quat target =
+				ragdoll::Quat{ values[0], values[1], values[2], values[3] } * _plan.get_reset_pose()[i];
 		_targets[i * 4] = target.x;
 		_targets[i * 4 + 1] = target.y;
 		_targets[i * 4 + 2] = target.z;
@@ -201,32 +202,19 @@ bool RagdollMotor::is_stalled(double p_time_s) const {
 	return !_driver || _driver->get_stream().is_stalled(p_time_s);
 }
 
-bool RagdollMotor::find_group(const StringName &p_group, int &r_group) const {
-	r_group = -1;
-	if (p_group == StringName()) {
-		return true;
-	}
-	for (std::size_t i = 0; i < _groups.size(); i++) {
-		if (_groups[i] == p_group) {
-			r_group = int(i);
-			return true;
-		}
-	}
-	return false;
-}
-
 void RagdollMotor::set_actuation(Actuation p_mode, const StringName &p_group, double p_blend_s) {
 	int group = -1;
 	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_actuation() comes after setup().");
 	ERR_FAIL_COND_MSG(
 			int(p_mode) < 0 || int(p_mode) >= ragdoll::ACTUATION_COUNT, "RagdollMotor: there is no such actuation.");
-	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	ERR_FAIL_COND_MSG(
+			!_plan.find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	_driver->get_table().set_mode(ragdoll::Actuation(p_mode), group, float(p_blend_s));
 }
 
 RagdollMotor::Actuation RagdollMotor::get_actuation(const StringName &p_group) const {
 	int group = -1;
-	if (!_driver || !find_group(p_group, group)) {
+	if (!_driver || !_plan.find_group(p_group, group)) {
 		return VELOCITY_MOTOR;
 	}
 	for (std::size_t i = 0; i < _driver->get_rig().size(); i++) {
@@ -241,13 +229,14 @@ void RagdollMotor::set_group_strength(double p_strength, const StringName &p_gro
 	int group = -1;
 	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_group_strength() comes after setup().");
 	ERR_FAIL_COND_MSG(!is_amount(p_strength), "RagdollMotor: a strength is 0 or more.");
-	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	ERR_FAIL_COND_MSG(
+			!_plan.find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	_driver->get_table().set_strength(float(p_strength), group, float(p_blend_s));
 }
 
 double RagdollMotor::get_group_strength(const StringName &p_group) const {
 	int group = -1;
-	if (!_driver || !find_group(p_group, group)) {
+	if (!_driver || !_plan.find_group(p_group, group)) {
 		return 0.0;
 	}
 	return _driver->get_table().get_group_strength(group < 0 ? 0 : group);
@@ -258,7 +247,8 @@ void RagdollMotor::set_group_spring(double p_frequency, double p_damping_ratio, 
 	ERR_FAIL_COND_MSG(!_driver, "RagdollMotor: set_group_spring() comes after setup().");
 	ERR_FAIL_COND_MSG(!is_amount(p_frequency) || !is_amount(p_damping_ratio),
 			"RagdollMotor: a spring's frequency and damping ratio are 0 or more.");
-	ERR_FAIL_COND_MSG(!find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
+	ERR_FAIL_COND_MSG(
+			!_plan.find_group(p_group, group), "RagdollMotor: the profile has no group " + String(p_group) + ".");
 	_driver->get_table().set_spring(float(p_frequency), float(p_damping_ratio), group);
 }
 

@@ -6,6 +6,7 @@
 #include "physics_check.hpp"
 #include "ragdoll_bodies.hpp"
 #include "ragdoll_control_profile.hpp"
+#include "ragdoll_plan.hpp"
 #include "ragdoll_profile.hpp"
 #include <driver.hpp>
 
@@ -179,13 +180,8 @@ private:
 	/// Whether a number can be a force, a gain, a strength: 0 or more, and finite as the core has it.
 	static bool is_amount(double p_value) { return p_value >= 0.0 && p_value <= 1e30; }
 	bool is_ready() const { return _driver && !_driver->get_stream().is_empty(); }
-	bool make_driver(
-			const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies, const PackedVector3Array &p_centres);
-	void add_contacts(const Ref<RagdollLimb> &p_limb, int p_index);
+	void make_driver();
 	void apply_settings();
-	bool find_group(const StringName &p_group, int &r_group) const;
-	/// Marks the limbs that names of bones and groups mean; reports an error where one means none.
-	bool find_limbs(const PackedStringArray &p_names, std::vector<std::uint8_t> &r_limbs) const;
 	void report(std::uint32_t p_guarded);
 
 	RootMode _root_mode = ROOT_SOFT;
@@ -208,12 +204,7 @@ private:
 	TypedArray<RagdollControlProfile> _control_profiles;
 	StringName _control_profile; // Applied last.
 
-	std::vector<StringName> _groups;
-	std::vector<StringName> _bones;
-	std::vector<ragdoll::Quat> _reset_pose;
-	std::vector<RID> _body_rids;
-	std::vector<ragdoll::ContactPoint> _contacts;
-	std::vector<RagdollBodies::JointSpec> _specs;
+	RagdollPlan _plan;
 	std::unique_ptr<ragdoll::Driver> _driver;
 	// After the driver: the bodies refer to its rig.
 	std::unique_ptr<RagdollBodies> _bodies;

@@ -1,40 +1,43 @@
 // SPDX-License-Identifier: MIT
 #include "driver.hpp"
 
+#include "balance/ease.hpp"
+#include "body/fingerprint.hpp"
+#include "body/placement.hpp"
+#include "comparison/comparison.hpp"
+#include "control/hit.hpp"
 #include "gait/inertial_gait.hpp"
-#include "gait/lowest_contact.hpp"
-#include "gait/lowest_foot.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace ragdoll {
 
+namespace {
+
+std::vector<ModeTravel> make_travels(const std::vector<ContactPoint> &p_contacts) {
+	std::vector<ModeTravel> travels = make_thesis_travels(p_contacts);
+	travels.push_back({ RootMode::INERTIAL, std::make_unique<InertialGait>(p_contacts) });
+	return travels;
+}
+
+} // namespace
+
 Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_count,
 		const std::vector<ContactPoint> &p_contacts) :
 		_rig(std::move(p_rig)),
+		_contacts(p_contacts),
 		_stream(_rig.size()),
 		_table(p_groups, p_group_count),
-		_controller(_rig),
-		_world(_rig.size()),
-		_feed_forward(_rig),
+		_controller(_rig, make_thesis_joints(_rig)),
+		_pushes(_rig),
+		_travel(_rig, p_contacts, make_travels(p_contacts)),
+		_balance(_rig, p_contacts),
 		_torques(_rig.size()),
-		_errors(_rig.size(), 0.0f),
-		_saturations(_rig.size(), 0.0f),
-		_contacts(p_contacts),
-		_points_now(p_contacts.size()),
-		_points_next(p_contacts.size()),
-		_points_shown(p_contacts.size()),
-		_turns(_rig.size()) {
-	_foot_lock = FootLock(_rig, p_contacts);
-	_balance = Balance(_rig, p_contacts);
-	_travels[0] = std::make_unique<LowestFoot>(p_contacts);
-	_travels[1] = std::make_unique<LowestContact>(p_contacts);
-	_travels[2] = std::make_unique<InertialGait>(p_contacts);
+		_errors(_rig.size(), 0.0f) {
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
 	_commands.pushes.resize(_rig.size());
-	_joints_next.resize(_rig.size());
 }
 
 bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_root, const float *p_rates) {
@@ -50,26 +53,27 @@ bool Driver::push(double p_time_s, const float *p_orientations, const Vec3 &p_ro
 	return true;
 }
 
+void Driver::clear_motion() {
+	_frame.restart();
+	_stream.clear();
+	_meter.forget_waiting();
+	_watch.clear();
+}
+
 const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_delta_s) {
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
-	ride(r_state, p_delta_s);
-	_stream.predict(p_time_s, _now);
-	_frame_now.apply(_now);
-	_stream.predict(p_time_s + double(p_delta_s), _next);
-	_frame_next.apply(_next);
-	_frame_now = _frame_next;
-	bool finds_anew = finds_travel(root_mode) && _travelled != root_mode;
+	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
+	const bool begins = !_watch.has_begun();
+	const bool is_teleported = _stream.take_teleport() && is_pulled();
+	const bool has_come_back = _watch.advance(_stream, p_time_s);
+	if (is_seated) {
+		_frame.move(_now);
+	}
+	bool finds_anew = finds_travel(root_mode) && _travel.get_mode() != root_mode;
 	bool is_arriving = false;
-	const bool begins = _alive == NEVER;
-	const bool teleported = _stream.take_teleport() && !finds_travel(root_mode) && !is_free(root_mode);
-	// Whoever moves the frame at once means it: a seat is taken whatever is between.
-	const Vec3 carried = _frame_turn.rotate(_now.root) + _frame_shift - _now.root;
-	const bool seated = carried.length() > PoseStream::TELEPORT_DISTANCE &&
-			carried.length() > PoseStream::FASTEST_ROOT * p_delta_s && !finds_travel(root_mode) && !is_free(root_mode);
-	const bool is_elsewhere = has_come_back(p_time_s) || teleported || seated;
-	MotionFrame{ _frame_turn, _frame_shift, !seated }.apply(_now);
-	const bool must_jump = hold_back(r_state, begins || seated, is_elsewhere, p_delta_s);
+	const bool must_jump =
+			hold_back(r_state, begins || is_seated, has_come_back || is_teleported || is_seated, p_delta_s);
 	if (must_jump || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
@@ -88,39 +92,92 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		place(r_state); // On the ground that was found, wherever the root was told to be.
 	}
 	if (is_arriving) {
-		set_in_motion(r_state, p_delta_s);
+		set_in_motion(_rig, _now, _next, p_delta_s, _joints, r_state);
 	}
 	balance(r_state, p_delta_s);
-	let_go_when_stalled(p_time_s);
+	const bool is_stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
+	_table.set_overall(is_stalled ? STALLED_STRENGTH : 1.0f, LET_GO_S);
 	_table.advance(p_delta_s);
 	compute_limbs(r_state, p_delta_s);
-	push_limbs(r_state, p_delta_s);
-	note_torques(r_state, p_delta_s);
+	_pushes.advance(_rig, r_state, _now, _next, p_delta_s, _commands.limbs, _commands.pushes);
+	if (measures_torque) {
+		_torques.note(_rig, r_state, p_delta_s);
+		_torques.compare(_rig, _table, root_settings.torque);
+	}
 	command_root(r_state, p_delta_s);
-	if (_table.has_mode(Actuation::DIRECT_SET)) {
-		place_limbs(_rig, r_state, _next, p_delta_s, _table, _commands.orientations, _commands.joints);
-	}
-	if (_commands.is_root_held && _table.get_mode(0) != Actuation::DIRECT_SET) {
-		hold_root(r_state, p_delta_s);
-	}
-	_was_held = _commands.is_root_held;
+	place_kinematic(r_state, p_delta_s);
 	return _commands;
 }
 
-void Driver::hold_root(const RigState &p_state, float p_delta_s) {
-	_commands.orientations[0] = _next.orientations[0];
-	_commands.joints[0] = _next.root + _lift;
-	const Vec3 displacement = _commands.joints[0] - p_state.root;
-	const Vec3 turn = log(p_state.orientations[0].inverse() * _next.orientations[0]);
-	const float distance = displacement.length() - (_next.root - _now.root).length();
-	const float angle = turn.length() - angle_between(_now.orientations[0], _next.orientations[0]);
-	_is_fetched = (_is_fetched || !_was_held) && (distance > FETCHED || angle > FETCHED);
-	if (_is_fetched) {
-		const float part =
-				std::min(1.0f, p_delta_s / std::max(std::max(distance / FETCH_SPEED, angle / FETCH_TURN), p_delta_s));
-		_commands.orientations[0] = p_state.orientations[0] * exp(turn * part);
-		_commands.joints[0] = p_state.root + displacement * part;
+bool Driver::find_motion(RigState &r_state, double p_time_s, float p_delta_s) {
+	_frame.advance(_rig, _contacts, r_state, ground, p_delta_s);
+	const Vec3 &spiral = _frame.get_carrier().get_spiral();
+	// The tether draws the others back to where they stood.
+	if (!is_tethered(root_mode) && spiral.length() > 0.0f) {
+		for (Vec3 &centre : r_state.centres) {
+			centre = centre - spiral;
+		}
+		r_state.root = r_state.root - spiral;
+		_commands.must_put = true;
 	}
+	_stream.predict(p_time_s, _now);
+	_stream.predict(p_time_s + double(p_delta_s), _next);
+	_frame.apply(_now, _next);
+	// Whoever moves the frame at once means it: a seat is taken whatever is between.
+	const float carried = _frame.get_way(_now.root).length();
+	return carried > PoseStream::TELEPORT_DISTANCE && carried > PoseStream::FASTEST_ROOT * p_delta_s && is_pulled();
+}
+
+bool Driver::hold_back(const RigState &p_state, bool p_begins, bool p_jumps, float p_delta_s) {
+	const bool goes_on = _travel.get_mode() == root_mode;
+	const Vec3 motion = _now.root - p_state.root;
+	// Where the travel is found, the motion's own root means nothing in the world.
+	const bool is_stopped = p_jumps && !p_begins && !finds_travel(root_mode) && motion.length() > SHORT_JUMP &&
+			blocks_root(obstacles, p_state, motion);
+	if (p_begins || p_jumps || !goes_on || !is_tethered(root_mode)) {
+		_tether.clear();
+	}
+	if (is_stopped && root_mode == RootMode::GROUNDED) {
+		_balance.shift(level(_travel.get_target() - _now.root));
+	} else if (is_stopped) {
+		_tether.set(p_state.root - _now.root);
+	} else if (!p_jumps && is_tethered(root_mode) && goes_on && _table.get_mode(0) != Actuation::LIMP) {
+		_tether.advance(p_state.root - _travel.get_target(), p_delta_s);
+	}
+	_now.root = _now.root + _tether.get_now();
+	_next.root = _next.root + _tether.get_next();
+	return p_jumps && !is_stopped;
+}
+
+void Driver::travel(const RigState &p_state, float p_delta_s) {
+	RootTravelInput input;
+	input.mode = root_mode;
+	input.state = &p_state;
+	input.ground = ground;
+	input.filter = &_stream.get_filter();
+	input.ride = &_frame.get_carrier().get_past();
+	// Whoever lies limp is wherever the body is, and begins from there when he gets up. How a pose has changed
+	// while nothing came says nothing of where the person went.
+	input.begins = _table.get_mode(0) == Actuation::LIMP || _watch.has_resumed();
+	input.delta_s = p_delta_s;
+	_travel.advance(_rig, input, _now, _next);
+}
+
+void Driver::balance(const RigState &p_state, float p_delta_s) {
+	if (root_mode != RootMode::GROUNDED) {
+		_balance.clear();
+		_controller.settings.root_deceleration = 0.0f;
+		return;
+	}
+	BalanceInput input;
+	input.state = &p_state;
+	input.ground = ground ? ground : &_level_ground;
+	input.turn = _frame.get_turn();
+	input.shift = _frame.get_shift();
+	input.delta_s = p_delta_s;
+	input.gravity = std::max(-p_state.gravity.y, 0.0f);
+	_balance.advance(_rig, input, _now, _next);
+	_controller.settings.root_deceleration = _balance.get_deceleration();
 }
 
 void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
@@ -134,66 +191,23 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	}
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
 	if (is_grounded) {
-		ease_limbs(p_state, p_delta_s);
+		ease_limbs(_rig, _balance, p_state, _now, _next, p_delta_s, _commands.limbs);
 	}
-}
-
-bool Driver::has_come_back(double p_time_s) {
-	_has_resumed = false;
-	if (_stream.is_stalled(p_time_s)) {
-		return false;
-	}
-	_has_resumed = p_time_s - _alive > PoseStream::STALL_AFTER;
-	const bool paused = p_time_s - _alive > PUT_AFTER;
-	_alive = p_time_s;
-	return paused;
-}
-
-Travel *Driver::find_travel(RootMode p_mode) const {
-	switch (p_mode) {
-		case RootMode::LOWEST_FOOT:
-			return _travels[0].get();
-		case RootMode::CONTACTS:
-			return _travels[1].get();
-		case RootMode::INERTIAL:
-			return _travels[2].get();
-		default:
-			return nullptr;
-	}
-}
-
-void Driver::balance(const RigState &p_state, float p_delta_s) {
-	if (root_mode != RootMode::GROUNDED) {
-		_balance.clear();
-		_controller.settings.root_deceleration = 0.0f;
-		return;
-	}
-	BalanceInput input;
-	input.state = &p_state;
-	input.ground = ground ? ground : &_level_ground;
-	input.turn = _frame_turn;
-	input.shift = _frame_shift;
-	input.delta_s = p_delta_s;
-	input.gravity = std::max(-p_state.gravity.y, 0.0f);
-	_balance.advance(_rig, input, _now, _next);
-	_controller.settings.root_deceleration = _balance.get_deceleration();
-}
-
-void Driver::let_go_when_stalled(double p_time_s) {
-	const bool stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
-	_table.set_overall(stalled ? STALLED_STRENGTH : 1.0f, LET_GO_S);
 }
 
 void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	const Actuation mode = _table.get_mode(0);
-	const bool holds = root_mode == RootMode::HELD && mode != Actuation::LIMP;
-	_commands.is_root_held =
-			mode == Actuation::DIRECT_SET || (holds && (_commands.must_put || !is_obstructed(p_state, p_delta_s)));
+	const bool is_limp = mode == Actuation::LIMP;
+	_commands.is_root_held = mode == Actuation::DIRECT_SET ||
+			(root_mode == RootMode::HELD && !is_limp &&
+					(_commands.must_put ||
+							!_held_root.is_obstructed(_rig, _table, obstacles, p_state, _now, _next, p_delta_s)));
 	root_settings.gain = _controller.settings.gain * _controller.settings.eagerness;
-	_lift = { 0.0f, lift_while_getting_up(p_state, p_delta_s), 0.0f };
-	const float strength = mode == Actuation::LIMP ? 0.0f : _table.get_standing_strength(0);
+	_getting_up.advance(p_state, _now, _next, is_limp, finds_travel(root_mode), RootTravel::FURTHEST_UP, p_delta_s);
+	const Vec3 &lift = _getting_up.get_lift();
+	const float strength = is_limp ? 0.0f : _table.get_standing_strength(0);
 	_commands.root = drive_root(
-			root_mode, root_settings, _rig, p_state, _now.root + _lift, _next.root + _lift, p_delta_s, strength);
+			root_mode, root_settings, _rig, p_state, _now.root + lift, _next.root + lift, p_delta_s, strength);
 	if (root_mode == RootMode::GROUNDED) {
 		_commands.root.torque = _balance.get_torque() * strength;
 		_commands.root.push = _balance.get_force() * strength;
@@ -206,29 +220,56 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_commands.root_turn = _commands.limbs[0].velocity;
 	if (root_mode == RootMode::SELF_RIGHTING && righted_limb > 0) {
 		const std::size_t limb = std::size_t(righted_limb);
-		_commands.trunk_turn = righting_velocity(p_state.orientations[limb], _now.orientations[limb],
+		_commands.trunk_turn = find_righting_turn(p_state.orientations[limb], _now.orientations[limb],
 				_next.orientations[limb], p_delta_s, _controller.settings.gain);
 	}
 }
 
-float Driver::lift_while_getting_up(const RigState &p_state, float p_delta_s) {
-	const bool limp = _table.get_mode(0) == Actuation::LIMP;
-	_is_getting_up = (_is_getting_up || _was_limp) && !limp;
-	_was_limp = limp;
-	_gets_up_s = _is_getting_up && finds_travel(root_mode) ? _gets_up_s + p_delta_s : 0.0f;
-	if (!_is_getting_up) {
-		return 0.0f;
+void Driver::place_kinematic(const RigState &p_state, float p_delta_s) {
+	if (_table.has_mode(Actuation::DIRECT_SET)) {
+		place_limbs(_rig, p_state, _next, p_delta_s, _table, _commands.orientations, _commands.joints);
 	}
-	float error = 0.0f;
-	for (const float off : find_errors(p_state)) {
-		error += off / float(_rig.size());
+	if (_commands.is_root_held && _table.get_mode(0) != Actuation::DIRECT_SET) {
+		_held_root.place(p_state, _now, _next, _getting_up.get_lift(), p_delta_s, _commands.orientations[0],
+				_commands.joints[0]);
 	}
-	_upright_s = error > UPRIGHT ? 0.0f : _upright_s + p_delta_s;
-	_is_getting_up = _upright_s < UPRIGHT_S;
-	const float more = std::clamp(1.0f + (_gets_up_s - STUCK_S) * LIFTS_MORE, 1.0f, MAX_LIFT);
-	const float lift = std::min(error, 0.5f) * GETTING_UP_LIFT * more;
-	const float highest = std::max(p_state.root.y + FURTHEST_UP - _next.root.y, 0.0f);
-	return finds_travel(root_mode) ? std::min(lift, highest) : lift;
+	_held_root.finish(_commands.is_root_held);
+}
+
+void Driver::put_into_pose(RigState &r_state) {
+	if (_travel.find(root_mode) && _travel.get_mode() == root_mode) {
+		_now.root = _travel.get_target();
+	}
+	place(r_state);
+}
+
+void Driver::place(RigState &r_state) {
+	place_at_rest(_rig, _now, _joints, r_state);
+	_controller.reset();
+	_pushes.clear();
+	_balance.clear();
+	_torques.clear();
+}
+
+void Driver::pose_state(double p_time_s, RigState &r_state) {
+	_stream.predict(p_time_s, _now);
+	_frame.to_world(_now);
+	_next = _now;
+	put_into_pose(r_state);
+}
+
+void Driver::set_control(std::size_t p_limb, const LimbControl &p_control, float p_blend_s) {
+	apply_to_joint(p_control, _rig, _controller.settings, p_limb, p_blend_s, _table);
+	_pushes.set_springs(p_limb, p_control, p_blend_s);
+}
+
+int Driver::hit(const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_position, int p_group, float p_strength,
+		float p_blend_s) {
+	return give_way(_rig, p_state, p_impulse, p_position, p_group, p_strength, p_blend_s, _table);
+}
+
+void Driver::blend_shown(const RigState &p_state, std::vector<Quat> &r_orientations, Vec3 &r_root_centre) const {
+	ragdoll::blend_shown(_rig, _table, _next, p_state, r_orientations, r_root_centre);
 }
 
 const std::vector<float> &Driver::find_errors(const RigState &p_state) {
@@ -236,58 +277,6 @@ const std::vector<float> &Driver::find_errors(const RigState &p_state) {
 		_errors[i] = angle_between(p_state.orientations[i], _now.orientations[i]);
 	}
 	return _errors;
-}
-
-void Driver::note_torques(const RigState &p_state, float p_delta_s) {
-	if (!measures_torque) {
-		return;
-	}
-	_torques.note(_rig, p_state, p_delta_s);
-	for (std::size_t i = 0; i < _rig.size(); i++) {
-		const float most = i == 0 ? root_settings.torque : _rig[i].max_torque * _table.get_strength(i);
-		_saturations[i] = most > 0.0f ? _torques.get_torques()[i] / most : 0.0f;
-	}
-}
-
-void Driver::put_into_pose(RigState &r_state) {
-	if (find_travel(root_mode) && _travelled == root_mode) {
-		_now.root = _next_root;
-	}
-	place(r_state);
-}
-
-void Driver::place(RigState &r_state) {
-	_rig.joint_positions(_now, _joints);
-	for (std::size_t i = 0; i < _rig.size(); i++) {
-		r_state.orientations[i] = _now.orientations[i];
-		r_state.centres[i] = _joints[i] + _now.orientations[i].rotate(_rig[i].centre);
-		r_state.linear[i] = {};
-		r_state.angular[i] = {};
-	}
-	r_state.root = _now.root;
-	_controller.reset();
-	_feed_forward.clear();
-	_balance.clear();
-	_torques.clear();
-}
-
-void Driver::set_in_motion(RigState &r_state, float p_delta_s) {
-	const float rate = 1.0f / p_delta_s;
-	_joints_next.resize(_rig.size());
-	_rig.joint_positions(_next, _joints_next);
-	for (std::size_t i = 0; i < _rig.size(); i++) {
-		const Vec3 centre = _joints_next[i] + _next.orientations[i].rotate(_rig[i].centre);
-		r_state.linear[i] = (centre - r_state.centres[i]) * rate;
-		const Quat turn = _next.orientations[i] * _now.orientations[i].inverse();
-		r_state.angular[i] = log(turn) * rate;
-	}
-}
-
-void Driver::pose_state(double p_time_s, RigState &r_state) {
-	_stream.predict(p_time_s, _now);
-	_frame_next.apply(_now);
-	_next = _now;
-	put_into_pose(r_state);
 }
 
 void Driver::measure(double p_time_s, const RigState &p_state) {
@@ -298,18 +287,58 @@ void Driver::measure(double p_time_s, const RigState &p_state) {
 	for (std::size_t i = 0; i < _rig.size(); i++) {
 		_joints[i] = _rig.joint_of(p_state, i);
 	}
-	if (_frame_next.is_identity) {
+	if (_frame.is_world()) {
 		_meter.note(p_time_s, p_state.orientations, _joints);
 		return;
 	}
 	// The motion knows nothing of what carries the person: they are compared in the motion's own frame.
-	const Quat back = _frame_next.orientation.inverse();
 	_measured = p_state.orientations;
-	for (std::size_t i = 0; i < _rig.size(); i++) {
-		_measured[i] = back * _measured[i];
-		_joints[i] = back.rotate(_joints[i] - _frame_next.origin);
-	}
+	_frame.to_own(_measured, _joints);
 	_meter.note(p_time_s, _measured, _joints);
+}
+
+void Driver::save(ArchiveWriter &p_archive) const {
+	p_archive.put(find_fingerprint(_rig, _contacts));
+	p_archive.put(root_mode);
+	p_archive.put(_arrival_s);
+	_watch.save(p_archive);
+	_getting_up.save(p_archive);
+	_held_root.save(p_archive);
+	_frame.save(p_archive);
+	_tether.save(p_archive);
+	_travel.save(p_archive);
+	_balance.save(p_archive);
+	_stream.save(p_archive);
+	_table.save(p_archive);
+	_controller.save(p_archive);
+	_pushes.save(p_archive);
+}
+
+bool Driver::restore(ArchiveReader &p_archive) {
+	ArchiveWriter before;
+	save(before);
+	if (read(p_archive)) {
+		return true;
+	}
+	ArchiveReader back(before.get_bytes().data(), before.get_bytes().size());
+	read(back);
+	return false;
+}
+
+bool Driver::read(ArchiveReader &p_archive) {
+	std::uint64_t whose = 0;
+	RootMode mode = RootMode::SOFT;
+	// Archives hold indices of tables: those of another body must not come any further.
+	if (!p_archive.get(whose) || whose != find_fingerprint(_rig, _contacts) || !p_archive.get(mode) || int(mode) < 0 ||
+			int(mode) >= ROOT_MODE_COUNT) {
+		return false;
+	}
+	root_mode = mode;
+	_torques.clear();
+	return p_archive.get(_arrival_s) && _watch.restore(p_archive) && _getting_up.restore(p_archive) &&
+			_held_root.restore(p_archive) && _frame.restore(p_archive) && _tether.restore(p_archive) &&
+			_travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
+			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "gait/path_filter.hpp"
-#include "pose_filter.hpp"
+#include "motion/pose_filter.hpp"
 
 #include "check.hpp"
 

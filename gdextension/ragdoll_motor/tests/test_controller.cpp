@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fixtures.hpp"
 
+#include "comparison/comparison.hpp"
+
 #include "check.hpp"
 
 namespace test_controller {
@@ -14,7 +16,7 @@ constexpr float DELTA = 1.0f / 60.0f;
 struct Bench {
 	Rig rig{ fixtures::limbs() };
 	ActuationTable table{ fixtures::groups(), 3 };
-	Controller controller{ rig };
+	Controller controller{ rig, make_thesis_joints(rig) };
 	std::vector<LimbCommand> commands;
 
 	void compute(const RigState &p_state, const Pose &p_now, const Pose &p_next) {

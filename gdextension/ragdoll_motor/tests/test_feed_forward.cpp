@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "feed_forward.hpp"
+#include "control/feed_forward.hpp"
 
 #include "check.hpp"
 #include "fixtures.hpp"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "comparison/lowest_contact.hpp"
+#include "comparison/lowest_foot.hpp"
 #include "gait/foot_lock.hpp"
 #include "gait/inertial_gait.hpp"
-#include "gait/lowest_contact.hpp"
-#include "gait/lowest_foot.hpp"
 
 #include "check.hpp"
 #include "fixtures.hpp"

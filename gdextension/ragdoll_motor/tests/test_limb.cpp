@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "limb.hpp"
+#include "body/limb.hpp"
 
 #include "check.hpp"
 

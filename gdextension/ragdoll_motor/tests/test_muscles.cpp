@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "muscles.hpp"
+#include "joint/muscles.hpp"
 
 #include "check.hpp"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pose_stream.hpp"
+#include "motion/pose_stream.hpp"
 
 #include "check.hpp"
 

@@ -2,9 +2,9 @@
 // Where the body stays behind its motion, and what carries it.
 #include "fixtures.hpp"
 
-#include "carrier.hpp"
 #include "check.hpp"
-#include "tether.hpp"
+#include "root/carrier.hpp"
+#include "root/tether.hpp"
 
 #include <functional>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "balance/balance.hpp"
 
-#include "calm.hpp"
+#include "base/calm.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
 #include "balance/recovery.hpp"
-#include "gait/ground.hpp"
-#include "leg.hpp"
-#include "rig.hpp"
+#include "base/archive.hpp"
+#include "body/leg.hpp"
+#include "body/rig.hpp"
+#include "world/ground.hpp"
 
 #include <vector>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "leg.hpp"
-#include "rig.hpp"
+#include "base/archive.hpp"
+#include "body/leg.hpp"
+#include "body/rig.hpp"
 
 #include <vector>
 
@@ -11,19 +11,20 @@ namespace ragdoll {
 
 /// Parameters of falling and getting up.
 struct RecoverySettings {
-	/// Hips that lean further than this from where the motion has them fall, rad; half of it is enough where
-	/// the centre of mass is lower over the lowest limb than this share of the motion's.
+	/// A body falls when its hips lean from where the motion has them by more than the first number, rad. Half of
+	/// that is enough when its centre of mass is lower over the lowest limb than the second number, a share of
+	/// the motion's height.
 	float fall_angle = 0.9f;
 	float fall_height = 0.6f;
 	/// What is left of the joints' torque in a fall: limbs soften it, they do not hold it.
 	float fall_strength = 0.25f;
-	/// Who falls bends by this part of a crouch and reaches out, within this time, s: arms point this far down
-	/// from where the fall goes, rad.
+	/// A falling body bends by the first number, a part of a crouch, and reaches out, both within the second, s. Its
+	/// arms point down by the third, rad, from the direction of the fall.
 	float fall_crouch = 0.4f;
 	float protect_s = 0.25f;
 	float reach_down = 0.6f;
-	/// Who has fallen lies still below this speed of the centre of mass, m/s, after a moment, s, or anyhow
-	/// after this time, s.
+	/// A fallen body lies still when its centre of mass has been slower than the first number, m/s, for the second,
+	/// s; and in any case after the third, s.
 	float rest_speed = 0.4f;
 	float rest_from_s = 0.25f;
 	float rest_s = 0.8f;
@@ -67,7 +68,7 @@ public:
 	/// What the joints' torque is multiplied by.
 	float get_strength() const { return _phase == Phase::FALLING ? settings.fall_strength : 1.0f; }
 	/// Greatest torque at the hips, N m, for any phase but NONE.
-	/// @param p_most that of somebody whose feet carry
+	/// @param p_most the torque of a body that its feet carry, N m
 	float get_torque(float p_most) const;
 
 	void save(ArchiveWriter &p_archive) const;

@@ -73,4 +73,14 @@ void flinch(const Rig &p_rig, int p_limb, float p_strength, float p_blend_s, Act
 	}
 }
 
+int give_way(const Rig &p_rig, const RigState &p_state, const Vec3 &p_impulse, const Vec3 &p_position, int p_group,
+		float p_strength, float p_blend_s, ActuationTable &r_table) {
+	const int limb = find_nearest_limb(p_rig, p_state, p_position, p_group);
+	if (limb >= 0) {
+		const float least = find_least_strength(p_rig, p_state, limb, p_impulse, p_position);
+		flinch(p_rig, limb, std::clamp(p_strength, least, 1.0f), p_blend_s, r_table);
+	}
+	return limb;
+}
+
 } // namespace ragdoll

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "actuation.hpp"
+#include "joint/controller.hpp"
 
 namespace ragdoll {
 
@@ -28,5 +28,16 @@ struct LimbControl {
 	/// simulated, and shown so far from the one to the other.
 	float physics_blend = 1.0f;
 };
+
+/// Lets a limb's joint do what a control says of the parent's space, and be shown as it says, within a time, s.
+/// @param p_usual gives the springs' frequencies where the control has none
+void apply_to_joint(const LimbControl &p_control, const Rig &p_rig, const ControlSettings &p_usual, std::size_t p_limb,
+		float p_blend_s, ActuationTable &r_table);
+
+/// The limbs' orientations, and the centre of the root's body (m), as they are shown: between the motion and the
+/// simulation, by the limbs' physics blend.
+/// @param p_motion at the end of the last step
+void blend_shown(const Rig &p_rig, const ActuationTable &p_table, const Pose &p_motion, const RigState &p_state,
+		std::vector<Quat> &r_orientations, Vec3 &r_root_centre);
 
 } // namespace ragdoll

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "body/rig.hpp"
 #include "control/limb_control.hpp"
-#include "rig.hpp"
 
 #include <cstddef>
 #include <vector>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "body/leg.hpp"
+#include "body/rig.hpp"
 #include "gait/travel.hpp"
-#include "leg.hpp"
-#include "rig.hpp"
 
 #include <limits>
 #include <vector>
@@ -19,25 +19,26 @@ public:
 	static constexpr float FURTHEST = 0.12f;
 	/// A foot that is held further than this (m) from where the motion has it is let slip within SLIP_S.
 	static constexpr float SLIPS_FROM = 0.05f;
-	/// So much further where the motion is nothing but noise, m.
+	/// That distance is larger by this where the motion is nothing but noise, m.
 	static constexpr float SLIPS_LATER = 0.3f;
 	static constexpr float SLIP_S = 0.15f;
 	/// The most that a foot is raised or lowered to the ground that is really there, m.
 	static constexpr float HIGHEST = 0.2f;
 	/// Ground that is so close to the pose's own floor (m) is the same.
 	static constexpr float EVEN = 0.005f;
-	/// A foot that swings keeps so much of its height over the pose's floor over the ground, m.
+	/// A foot that swings keeps its height over the pose's floor, up to this, over the ground too, m.
 	static constexpr float SWING = 0.025f;
-	/// A foot that swings with CLEARS_AT (m/s) and more clears the ground by so much (m), below CLEARS_FROM as
-	/// the motion has it: soles that scuff stick, and are dragged along behind the motion.
+	/// A foot that swings with CLEARS_AT (m/s) or faster clears the ground by CLEARS (m); a slower one by less, and
+	/// one below CLEARS_FROM (m/s) by nothing. Soles that scuff stick, and are dragged along behind the motion.
 	static constexpr float CLEARS = 0.03f;
 	static constexpr float CLEARS_FROM = 0.3f;
 	static constexpr float CLEARS_AT = 1.5f;
-	/// How much further it may be where the motion is nothing but noise, m.
+	/// That distance is larger by this where the motion is nothing but noise, m.
 	static constexpr float UNEVEN = 0.06f;
 	/// Share of a leg's length to which it is stretched before the hips come down instead.
 	static constexpr float STRETCHED = 0.995f;
-	/// How fast the hips come down so that feet reach the ground, s, and m/s at most.
+	/// The hips come down with the time constant SINK_S (s) so that feet reach the ground, with SINK_SPEED (m/s) at
+	/// most.
 	static constexpr float SINK_S = 0.2f;
 	static constexpr float SINK_SPEED = 1.5f;
 	/// A foot that the motion itself has so far below the one that stands (m) is on its way to a lower step.
@@ -55,7 +56,7 @@ public:
 	/// How far the body's foot may be from where it is held before the hold gives in, m: a foot that strikes is
 	/// a few centimetres behind the motion, and motors that are calmed put it down elsewhere.
 	static constexpr float SLACK = 0.002f;
-	/// The same, once that foot is no higher than this over where it is held, m.
+	/// The hold gives in only once that foot is no higher than this over where it is held, m.
 	static constexpr float DOWN = 0.03f;
 
 	FootLock() = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "gait/inertial_gait.hpp"
 
-#include "calm.hpp"
+#include "base/calm.hpp"
 
 #include <algorithm>
 #include <utility>

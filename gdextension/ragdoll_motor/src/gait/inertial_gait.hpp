@@ -75,7 +75,8 @@ private:
 	Vec3 slip(const GaitInput &p_input, std::size_t p_point, const Vec3 &p_at) const;
 	/// Heights of the body over each point, were it on the ground; returns the highest, m.
 	float find_support(const GaitInput &p_input);
-	/// Looks for ground under who begins, also where his limbs were told to be in it; the same height.
+	/// The same for a body that begins: its limbs may have been put into the ground, so that ground is looked for
+	/// further and further above them.
 	float find_first_support(const GaitInput &p_input);
 	/// How fast the slowest of the pose's lowest points moves over the ground, m/s.
 	float find_slide() const;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "calm.hpp"
-#include "vectors.hpp"
+#include "base/archive.hpp"
+#include "base/calm.hpp"
+#include "base/vectors.hpp"
 
 namespace ragdoll {
 
-/// Takes out of the root's path what noise of the limbs puts into it: a body has momentum, and its
-/// standing feet are held whatever the root does.
+/// Smooths the root's path where noise of the limbs shakes it. It may: a body has momentum, and FootLock holds
+/// the standing feet whatever the root does.
 class PathFilter {
 public:
-	/// How far the root is off for each radian of the limbs' noise, m.
+	/// Each radian of the limbs' noise moves the root by this, m/rad.
 	static constexpr float LEVER = 0.7f;
 	static constexpr float MEMORY_S = 0.15f;
-	/// More of a surprise than this is never left out: a body jumps.
+	/// At most this share of a surprise is left out, so that a body can jump.
 	static constexpr float CALMEST = 0.85f;
 
 	void clear() { _begun = false; }

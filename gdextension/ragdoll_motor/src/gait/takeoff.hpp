@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
+#include "base/archive.hpp"
 
 namespace ragdoll {
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "archive.hpp"
-#include "gait/contact_point.hpp"
-#include "gait/ground.hpp"
+#include "base/archive.hpp"
+#include "body/contact_point.hpp"
+#include "world/ground.hpp"
 
 #include <algorithm>
 #include <cstddef>
@@ -64,10 +64,13 @@ public:
 	float get_standing_height(std::size_t p_point) const {
 		return _levels[p_point].footing.height + _contacts[p_point].radius;
 	}
-	/// How far the ground that was found under a point takes something at a place in a time, m.
+	/// How far the ground under a point, as it was found last, moves something at p_at (m) in a time, m.
 	Vec3 get_carry(std::size_t p_point, const Vec3 &p_at, float p_delta_s) const;
 	/// Where the root will be when the points will be elsewhere, as long as those that stand go on to.
 	Vec3 ahead(const std::vector<Vec3> &p_points, float p_delta_s) const;
+
+	/// Whether the estimator itself finds what carries the person; who rides on a platform is moved otherwise.
+	virtual bool knows_what_carries() const { return true; }
 
 	virtual void save(ArchiveWriter &p_archive) const;
 	virtual bool restore(ArchiveReader &p_archive);

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "ragdoll_plan.hpp"
+
+#include <convert.hpp>
+
+namespace godot {
+
+RagdollPlan::RagdollPlan(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
+		const PackedVector3Array &p_centres, bool p_has_limits) {
+	for (int64_t i = 0; i < p_bodies.size(); i++) {
+		const Ref<RagdollLimb> source = p_profile->get_limbs()[i];
+		add_limb(p_profile, int(i), p_centres);
+		add_spec(source, p_bodies[i], p_has_limits && _segments.back().parent >= 0);
+		add_contacts(source, int(i));
+	}
+}
+
+void RagdollPlan::add_limb(const Ref<RagdollProfile> &p_profile, int p_index, const PackedVector3Array &p_centres) {
+	const Ref<RagdollLimb> source = p_profile->get_limbs()[p_index];
+	ragdoll::Segment limb;
+	const ragdoll::Quat rest = to_core(source->get_rest_orientation());
+	limb.parent = p_profile->get_parent_index(p_index);
+	limb.centre = rest.inverse().rotate(to_core(source->get_position() - source->get_anchor()));
+	if (!p_centres.is_empty()) {
+		limb.centre = to_core(p_centres[p_index]);
+	}
+	if (limb.parent >= 0) {
+		const Ref<RagdollLimb> above = p_profile->get_limbs()[limb.parent];
+		const ragdoll::Quat turn = to_core(above->get_rest_orientation()).inverse();
+		limb.anchor = turn.rotate(to_core(source->get_anchor() - above->get_anchor()));
+	}
+	limb.rest = to_core(source->get_reset_orientation());
+	limb.mass = float(p_profile->get_mass() * source->get_mass_fraction());
+	limb.inertia = to_core(source->get_body_inertia(limb.mass));
+	limb.max_torque = float(source->get_max_torque());
+	limb.is_foot = source->get_is_foot();
+	if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
+		limb.group = int(_groups.size());
+		_groups.push_back(source->get_group());
+	}
+	_righted_limb = limb.group == 0 && p_index > 0 ? p_index : _righted_limb;
+	_segments.push_back(limb);
+	_bones.push_back(source->get_bone());
+	_reset_pose.push_back(limb.rest);
+}
+
+void RagdollPlan::add_spec(const Ref<RagdollLimb> &p_limb, const RID &p_body, bool p_has_limits) {
+	RagdollBodies::JointSpec spec;
+	spec.body = p_body;
+	spec.has_limits = p_has_limits;
+	if (spec.has_limits) {
+		spec.axes = _reset_pose.back().inverse() * to_core(p_limb->get_joint_axes());
+		// As with motors, the engine's sign of angles is the other way round.
+		spec.lower = -p_limb->get_max_angles();
+		spec.upper = -p_limb->get_min_angles();
+	}
+	_specs.push_back(spec);
+	_bodies.push_back(p_body);
+}
+
+void RagdollPlan::add_contacts(const Ref<RagdollLimb> &p_limb, int p_index) {
+	const PackedVector3Array points = p_limb->get_contact_points();
+	const ragdoll::Quat turn = to_core(p_limb->get_rest_orientation()).inverse();
+	for (int64_t i = 0; i < points.size(); i++) {
+		ragdoll::ContactPoint contact;
+		contact.limb = p_index;
+		contact.local = turn.rotate(to_core(points[i] - p_limb->get_anchor()));
+		contact.radius = float(p_limb->get_contact_radius());
+		contact.sole = p_limb->get_is_foot();
+		_contacts.push_back(contact);
+	}
+}
+
+std::vector<int> RagdollPlan::get_limb_groups() const {
+	std::vector<int> groups;
+	groups.reserve(_segments.size());
+	for (const ragdoll::Segment &limb : _segments) {
+		groups.push_back(limb.group);
+	}
+	return groups;
+}
+
+bool RagdollPlan::find_group(const StringName &p_group, int &r_group) const {
+	r_group = -1;
+	if (p_group == StringName()) {
+		return true;
+	}
+	for (std::size_t i = 0; i < _groups.size(); i++) {
+		if (_groups[i] == p_group) {
+			r_group = int(i);
+			return true;
+		}
+	}
+	return false;
+}
+
+bool RagdollPlan::find_limbs(const PackedStringArray &p_names, std::vector<std::uint8_t> &r_limbs) const {
+	r_limbs.assign(_bones.size(), std::uint8_t(p_names.is_empty() ? 1 : 0));
+	for (int64_t i = 0; i < p_names.size(); i++) {
+		const StringName name = p_names[i];
+		bool is_known = false;
+		for (std::size_t limb = 0; limb < _bones.size(); limb++) {
+			const bool is_meant = _bones[limb] == name || _groups[std::size_t(_segments[limb].group)] == name;
+			r_limbs[limb] = std::uint8_t(is_meant || r_limbs[limb] != 0);
+			is_known = is_known || is_meant;
+		}
+		ERR_FAIL_COND_V_MSG(
+				!is_known, false, "RagdollMotor: the profile has no bone and no group " + String(name) + ".");
+	}
+	return true;
+}
+
+} // namespace godot

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "motion/stream_watch.hpp"
+
+namespace ragdoll {
+
+bool StreamWatch::advance(const PoseStream &p_stream, double p_time_s) {
+	_has_resumed = false;
+	if (p_stream.is_stalled(p_time_s)) {
+		return false;
+	}
+	_has_resumed = p_time_s - _alive_s > PoseStream::STALL_AFTER;
+	const bool has_paused = p_time_s - _alive_s > RESTART_AFTER;
+	_alive_s = p_time_s;
+	return has_paused;
+}
+
+} // namespace ragdoll
