@@ -59,8 +59,8 @@ const SERVER: PackedStringArray = [
 const OPTIONS: PackedStringArray = [
 	"res://scripts/net/session/connection_options.gd",
 	"res://scripts/client/suit/suit_options.gd",
-	"res://scripts/server/parts/world_options.gd",
 	"res://scripts/server/parts/server_options.gd",
+	"res://scripts/server/parts/world_options.gd",
 	"res://scripts/client/display/display_options.gd",
 	"res://scripts/client/sound/sound_options.gd",
 	"res://scripts/client/level/level_options.gd",

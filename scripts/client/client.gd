@@ -50,7 +50,7 @@ func _ready() -> void:
 		return
 	fault = _list.begin()
 	if fault != "":
-		_fail(StateStream.EXIT_FAILED, fault)
+		_fail(_list.fault_code, fault)
 		return
 	_context.begin_s = _context.now_s()
 

@@ -5,6 +5,8 @@ extends RefCounted
 
 ## All parts, in their order.
 var parts: Array[ProgramPart] = []
+## Exit code of the fault that [method begin] has found.
+var fault_code: int = 0
 
 var _opened: Array[ProgramPart] = []
 
@@ -34,6 +36,7 @@ func begin() -> String:
 	for part: ProgramPart in parts:
 		var fault: String = part.begin()
 		if fault != "":
+			fault_code = part.fault_code
 			return fault
 	return ""
 

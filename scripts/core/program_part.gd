@@ -2,6 +2,9 @@
 extends Node
 ## One job of a program, such as the sound of a client or the levels of a server: see [PartList].
 
+## Exit code of the program if [method begin] has a fault.
+var fault_code: int = 1
+
 
 ## All parts are open: begins with files, devices, ports and connections. Returns why it cannot, or
 ## an empty text.

@@ -55,7 +55,7 @@ func _ready() -> void:
 		return
 	fault = _list.begin()
 	if fault != "":
-		_fail(1, fault)
+		_fail(_list.fault_code, fault)
 		return
 	_stop.watch()
 	_stop.watch_reload()

@@ -162,9 +162,13 @@ func test_which_role_is_meant() -> void:
 	OS.unset_environment("DISMOUNT_ROLE")
 
 
-func test_every_role_has_a_scene_and_a_meaning() -> void:
+func test_every_role_has_parts_and_a_meaning() -> void:
 	for role: String in ProgramRoles.names():
-		is_true(ResourceLoader.exists(ProgramRoles.scene_of(role)), role)
+		var parts: PackedStringArray = ProgramParts.of_client(role)
+		if role == ProgramRoles.SERVER:
+			parts = ProgramParts.SERVER
+		for path: String in parts:
+			is_true(ResourceLoader.exists(path), path)
 		not_equal(ProgramRoles.describe(role), "", role)
 
 

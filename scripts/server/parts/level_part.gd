@@ -26,6 +26,8 @@ func open(p_context: ServerContext) -> String:
 
 
 func begin() -> String:
+	# A world that cannot be used is a wrong option.
+	fault_code = 2
 	return context.level.load_level(context.options.text("world"))
 
 

@@ -3,8 +3,8 @@ extends TestCase
 
 const FAST: MessageHandlers.Path = MessageHandlers.Path.FAST
 const RELIABLE: MessageHandlers.Path = MessageHandlers.Path.RELIABLE
-const SLOW: int = 100
-const QUICK: int = 101
+const SLOW: int = 40
+const QUICK: int = 41
 
 var _inbox: SessionInbox = null
 var _session: Session = null
@@ -110,7 +110,7 @@ func test_who_has_gone_is_not_heard_any_more() -> void:
 func test_a_message_that_waited_may_end_another_session() -> void:
 	var other: Session = _make_session(2)
 	_inbox.handle(
-		102,
+		42,
 		MessageHandlers.Path.ANY,
 		func(_session: Session, _bytes: PackedByteArray, _usec: int) -> String:
 			_inbox.forget(other)
@@ -118,7 +118,7 @@ func test_a_message_that_waited_may_end_another_session() -> void:
 	)
 	for session: Session in [_session, other]:
 		_take(SLOW, 0, RELIABLE, session)
-	_take(102, 0, RELIABLE)
+	_take(42, 0, RELIABLE)
 	_take(QUICK, 9, RELIABLE, other)
 	_inbox.begin_turns()
 	equal(_handled, [0, 0])
