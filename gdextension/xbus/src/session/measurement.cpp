@@ -49,8 +49,7 @@ bool Measurement::refuses_many() {
 	return true;
 }
 
-StreamHealth::Finding Measurement::find_damage(
-		const KnownDevice &p_device, uint64_t p_bad_bytes, uint64_t p_now_usec) {
+StreamHealth::Finding Measurement::find_damage(const KnownDevice &p_device, uint64_t p_bad_bytes, uint64_t p_now_usec) {
 	if (!_health.is_due(p_now_usec)) {
 		return StreamHealth::Finding::NOTHING;
 	}
