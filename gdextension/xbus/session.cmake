@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: MIT
 # Brings a suit up and keeps it measuring; no input, no output.
 dismount_add_core_library(xbus_session SOURCES
+	src/session/exchange.cpp
+	src/session/measurement.cpp
+	src/session/output_choice.cpp
 	src/session/session.cpp
-	src/session/session_answers.cpp
-	src/session/session_requests.cpp
-	src/session/session_stream.cpp
+	src/session/session_log.cpp
+	src/session/session_report.cpp
+	src/session/setup_step.cpp
+	src/session/stream_health.cpp
 	src/session/suit_stream.cpp
 	LIBRARIES clock_core xbus_bus
 )

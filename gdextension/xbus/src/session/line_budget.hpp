@@ -41,6 +41,8 @@ constexpr std::array<Demand, 4> DEMANDS = { {
 		{ MODE_CALIBRATED | MODE_ORIENTATION, SETTINGS_NO_ACCELERATION | SETTINGS_NO_MAGNETIC_FIELD, 28 },
 		{ MODE_ORIENTATION, 0, 16 },
 } };
+/// The speed that a slower line is set to where it does not carry the samples, bit/s.
+constexpr uint32_t FAST_BAUD = 460800;
 /// Rates that a line is brought down to, Hz.
 constexpr std::array<double, 8> RATES = { 100.0, 75.0, 60.0, 50.0, 40.0, 30.0, 20.0, 10.0 };
 constexpr uint16_t MIN_PERIOD = 225;

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "bus/message.hpp"
+#include "session/suit_frame.hpp"
+
+#include <array>
+#include <cstdint>
+
+namespace xbus {
+
+/// What is known of the device at the other end and of the trackers behind it.
+struct KnownDevice {
+	DeviceKind kind = DeviceKind::UNKNOWN;
+	uint32_t id = 0;
+	std::array<uint32_t, MAX_TRACKERS> tracker_ids{};
+	int tracker_count = 0;
+	/// Whether a device of unknown kind is tried as a master now, or as a tracker that stands alone.
+	bool is_unknown_master = false;
+
+	bool is_master() const {
+		return kind == DeviceKind::XBUS_MASTER || (kind == DeviceKind::UNKNOWN && is_unknown_master);
+	}
+	/// Whether its samples come as MTData2, with the items that were asked for, not as MTData.
+	bool speaks_mtdata2() const {
+		const bool is_unknown_tracker = kind == DeviceKind::UNKNOWN && !is_unknown_master;
+		return kind == DeviceKind::MTI_10 || kind == DeviceKind::MTI_100 || is_unknown_tracker;
+	}
+	uint8_t bus_id_of(int p_tracker) const { return is_master() ? uint8_t(p_tracker + 1) : MASTER; }
+};
+
+} // namespace xbus
