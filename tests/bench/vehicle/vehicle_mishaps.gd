@@ -102,8 +102,7 @@ func _meet(p_case: String, p_is_limp: bool) -> void:
 	var source: BvhSource = BvhSource.new()
 	source.open("res://assets/motion/01_01.bvh")
 	var sample: PoseSample = source.pose_at(0.5)
-	var person: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
-	person.root_mode = RagdollMotor.ROOT_GROUNDED
+	var person: Ragdoll = BenchBodies.soldier(RagdollMotor.ROOT_GROUNDED)
 	ground.view.add_child(person)
 	person.start()
 	# In the way of the right wheels.
