@@ -73,7 +73,7 @@ func _measure_crates(p_count: int) -> void:
 		crates.append(crate)
 	for _tick: int in SETTLE:
 		await physics_frame
-	_tell("crates_falling_ms", await _time_ticks() - empty_ms)
+	await _time_ticks()
 	for _tick: int in MEASURED:
 		await physics_frame
 	_tell("crates_resting_ms", await _time_ticks() - empty_ms)
