@@ -10,9 +10,10 @@ extends Bench
 ## --bvh the clips alone), --scenes=20 (how many random ones).
 
 const Case: GDScript = preload("gait/gait_case.gd")
+const Walks: GDScript = preload("gait/gait_walks.gd")
 const _CASES: Dictionary[String, GDScript] = {
-	"walks": preload("gait/gait_walks.gd"),
-	"stairs": preload("gait/gait_walks.gd"),
+	"walks": Walks,
+	"stairs": Walks,
 	"clips": preload("gait/gait_clips.gd"),
 	"slopes": preload("gait/gait_slopes.gd"),
 	"starts": preload("gait/gait_starts.gd"),

@@ -4,7 +4,8 @@ extends ContactScene
 ## Penetration is how far the surface of a hand or lower arm is behind the wall's face, largest
 ## over the whole case. Cases: a punch with a straight arm (0.4 s from the hip to full reach), a
 ## stretched arm that the walking body (1 m/s) pushes into the wall, and the clip's own furthest
-## reach with either hand. Then the arm is held in the wall for a second. The wall of the scripted cases begins above the feet, which would be in it.
+## reach with either hand. Then the arm is held in the wall for a second. The wall of the
+## scripted cases begins above the feet, which would be in it.
 
 const _DEPTH_M: float = 0.38
 const _GOAL_MM: Dictionary[int, float] = {60: 20.0, 120: 10.0}
