@@ -94,7 +94,7 @@ bool DrivenRagdoll::drive(double p_time_s, float p_delta_s, std::uint32_t &r_gua
 	if (commands.is_root_held) {
 		_bodies.hold_root(commands.orientations[0], commands.joints[0]);
 	} else {
-		_bodies.pull_root(_driver.root_mode, commands.root, commands.root_turn, commands.trunk_turn);
+		_bodies.pull_root(_driver.root_mode, commands.root, commands.root_turn);
 	}
 	_bodies.push_limbs(commands.limbs, commands.pushes);
 	r_guarded = commands.guarded;

@@ -35,7 +35,7 @@ RagdollBodies::~RagdollBodies() {
 }
 
 void RagdollBodies::free_all() {
-	_assist.free();
+	_assist.reset();
 	for (std::size_t i = 0; i < _written.size(); i++) {
 		// Bodies that were held at a pose fall again, as far as they are still there.
 		if (_written[i].is_set && server()->body_get_direct_state(_specs[i].body) != nullptr) {
@@ -350,9 +350,15 @@ RootAssist::Handle RagdollBodies::find_handle(std::size_t p_limb) const {
 }
 
 void RagdollBodies::set_assist(ragdoll::RootMode p_mode) {
-	if (_assist.is_in(p_mode)) {
-		return;
+	if (!ragdoll::is_free(p_mode)) {
+		_assist.reset();
+	} else if (!_assist || _assist->get_mode() != p_mode) {
+		_assist.reset(); // What the last mode needed goes first.
+		_assist = make_assist(p_mode);
 	}
+}
+
+std::unique_ptr<RootAssist> RagdollBodies::make_assist(ragdoll::RootMode p_mode) {
 	ragdoll::RigState state;
 	state.resize(_specs.size());
 	RootAssist::Parts parts;
@@ -364,7 +370,7 @@ void RagdollBodies::set_assist(ragdoll::RootMode p_mode) {
 	}
 	parts.mass = _rig->get_mass();
 	parts.state = read(state) ? &state : nullptr;
-	_assist.set_mode(p_mode, parts);
+	return std::make_unique<RootAssist>(p_mode, parts);
 }
 
 void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
@@ -386,8 +392,8 @@ void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
 	_hold.up = p_command.force_up;
 }
 
-void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command,
-		const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn) {
+void RagdollBodies::pull_root(
+		ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn) {
 	set_kinematic(0, false);
 	set_assist(p_mode);
 	set_drive(0, p_command.torque > 0.0f ? Drive::MOTOR : Drive::FREE);
@@ -397,7 +403,9 @@ void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootComma
 		server()->body_apply_central_force(_specs[0].body, from_core(p_command.push));
 	}
 	set_motor_velocity(_joints[0], _specs[0].axes.inverse().rotate(p_turn));
-	_assist.drive(p_command, p_turn, p_trunk_turn);
+	if (_assist) {
+		_assist->drive(p_command);
+	}
 }
 
 } // namespace godot

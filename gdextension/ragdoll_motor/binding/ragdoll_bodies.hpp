@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace godot {
@@ -65,8 +66,7 @@ public:
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 		set_pose(0, p_orientation, p_joint);
 	}
-	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
-			const ragdoll::Vec3 &p_trunk_turn);
+	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn);
 	/// The joint that holds a limb.
 	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb]; }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
@@ -99,6 +99,7 @@ private:
 
 	RID make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb);
 	void set_assist(ragdoll::RootMode p_mode);
+	std::unique_ptr<RootAssist> make_assist(ragdoll::RootMode p_mode);
 	RootAssist::Handle find_handle(std::size_t p_limb) const;
 	void set_forces(const ragdoll::RootCommand &p_command);
 	void free_all();
@@ -124,7 +125,7 @@ private:
 	bool _has_stepped = false; // The space, since the joints were made.
 	uint64_t _first_frame = 0; // At whose end the space steps for the first time.
 	RID _anchor;
-	RootAssist _assist; // PENDULUM, SELF_RIGHTING.
+	std::unique_ptr<RootAssist> _assist; // Null unless the root is free.
 	int _righted_limb = -1;
 };
 

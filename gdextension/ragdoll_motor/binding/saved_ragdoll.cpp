@@ -7,7 +7,7 @@ namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x37534D52; // "RMS7"
+constexpr std::uint32_t STATE_MAGIC = 0x38534D52; // "RMS8"
 
 } // namespace
 
