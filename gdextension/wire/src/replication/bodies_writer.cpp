@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The part of SnapshotEncoder that is about rigid bodies.
+#include "replication/bodies_writer.hpp"
+
 #include "replication/body_codec.hpp"
 #include "replication/entry_coding.hpp"
-#include "replication/snapshot_encoder.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -21,8 +21,7 @@ constexpr float BODY_SIZE_MEMORY = 0.02f;
 
 } // namespace
 
-float SnapshotEncoder::_body_error(
-		const ClientRecord::BodyDelivery &p_delivery, const WorldHistory::Body &p_body) const {
+float BodiesWriter::find_error(const ClientRecord::BodyDelivery &p_delivery, const WorldHistory::Body &p_body) const {
 	const BodyUpdate &believed = p_delivery.believed;
 	if (p_body.now.at_rest && believed.at_rest && !p_delivery.is_lost) {
 		// Usually nothing has happened at all.
@@ -39,8 +38,8 @@ float SnapshotEncoder::_body_error(
 	return (p_body.now.position - predicted.position).length() + LEVER_M * angle;
 }
 
-void SnapshotEncoder::_collect_bodies(ClientRecord &p_client, bool p_jolts_only) {
-	_bodies_waiting.clear();
+void BodiesWriter::collect(ClientRecord &p_client, bool p_jolts_only) {
+	_waiting.clear();
 	for (std::size_t i = 0; i < p_client.bodies.size(); i++) {
 		const WorldHistory::Body &body = *_history.bodies()[i];
 		ClientRecord::BodyDelivery &delivery = p_client.bodies[i];
@@ -49,43 +48,35 @@ void SnapshotEncoder::_collect_bodies(ClientRecord &p_client, bool p_jolts_only)
 			continue;
 		}
 		const float weight = p_client.has_viewpoint && !p_client.is_recorder
-				? _visibility.weight(p_client.viewpoint, body.now.position)
+				? _interest.weight(p_client.viewpoint, body.now.position)
 				: 1.0f;
 		const bool is_wrong = delivery.sent == NEVER || delivery.is_lost || body.jolted ||
 				body.now.at_rest != delivery.believed.at_rest;
 		const bool ages = !body.now.at_rest && _history.tick() - delivery.sent >= uint32_t(_history.rate());
-		const float error = is_wrong ? MAX_ERROR : std::min(_body_error(delivery, body) / TOLERANCE_M, MAX_ERROR);
+		const float error = is_wrong ? MAX_ERROR : std::min(find_error(delivery, body) / TOLERANCE_M, MAX_ERROR);
 		const bool is_recorded = p_client.is_recorder && (!body.now.at_rest || error > 0.0f);
 		if (!is_wrong && !ages && !is_recorded && error < (weight < Interest::FAR ? HIDDEN_TOLERANCE : 1.0f)) {
 			continue;
 		}
 		delivery.urgency = std::min(delivery.urgency + weight * error, MAX_URGENCY);
-		_bodies_waiting.push_back({ delivery.urgency + (is_wrong ? MAX_URGENCY : 0.0f), uint16_t(i) });
+		_waiting.add(delivery.urgency + (is_wrong ? MAX_URGENCY : 0.0f), i);
 	}
 }
 
 // Takes the most urgent bodies that are likely to fit out of those that wait, in the order of their ids.
-std::size_t SnapshotEncoder::_choose_bodies(std::size_t p_room) {
-	const std::size_t most = std::min(std::size_t(float(p_room) / _bytes_per_body), std::size_t(MAX_BODIES));
-	const std::size_t count = std::min(most, _bodies_waiting.size());
-	const auto begin = _bodies_waiting.end() - std::ptrdiff_t(count);
-	std::nth_element(_bodies_waiting.begin(), begin, _bodies_waiting.end(),
-			[](const Candidate &p_a, const Candidate &p_b) { return p_a.urgency < p_b.urgency; });
-	_chosen.clear();
-	for (auto one = begin; one != _bodies_waiting.end(); ++one) {
-		_chosen.push_back(one->index);
-	}
-	_bodies_waiting.erase(begin, _bodies_waiting.end());
+std::size_t BodiesWriter::choose(std::size_t p_room) {
+	const std::size_t most = std::min(std::size_t(float(p_room) / _bytes_each), std::size_t(MAX_BODIES));
+	const std::size_t count = std::min(most, _waiting.size());
+	_waiting.take(count, _chosen);
 	std::sort(_chosen.begin(), _chosen.end(), [this](uint16_t p_a, uint16_t p_b) {
 		return thing_number(_history.bodies()[p_a]->id) < thing_number(_history.bodies()[p_b]->id);
 	});
 	return count;
 }
 
-void SnapshotEncoder::_write_bodies(ClientRecord &p_client, Draft &p_draft, std::size_t p_room) {
+void BodiesWriter::write(ClientRecord &p_client, Draft &p_draft, std::size_t p_room) {
 	Datagram &out = p_draft.out;
-	if (_bodies_waiting.empty() || out.size + BODY_MARGIN > p_room ||
-			_choose_bodies(p_room - out.size - BODY_MARGIN) == 0) {
+	if (_waiting.is_empty() || out.size + BODY_MARGIN > p_room || choose(p_room - out.size - BODY_MARGIN) == 0) {
 		return;
 	}
 	const std::size_t begin = out.size;
@@ -96,12 +87,12 @@ void SnapshotEncoder::_write_bodies(ClientRecord &p_client, Draft &p_draft, std:
 		const std::size_t now = begin + encoder.written();
 		is_full = is_full || now + BODY_MARGIN > p_room || now + WORST_BODY > MAX_BYTES;
 		if (is_full) {
-			_bodies_waiting.push_back({ p_client.bodies[index].urgency, index });
+			_waiting.add(p_client.bodies[index].urgency, index);
 			continue;
 		}
 		const WorldHistory::Body &body = *_history.bodies()[index];
 		ClientRecord::BodyDelivery &delivery = p_client.bodies[index];
-		const Baseline base = _baseline_of(delivery, false);
+		const Baseline base = delivery.find_baseline(_history.tick(), false);
 		const BodyState *known = base.age > 0 ? body.history.find(delivery.acked) : nullptr;
 		if (last_id >= 0) {
 			encoder.encode_bit(false, GOES_ON);
@@ -126,8 +117,7 @@ void SnapshotEncoder::_write_bodies(ClientRecord &p_client, Draft &p_draft, std:
 	const std::size_t size = encoder.finish();
 	// Those that did not fit are always the ones with the highest numbers: it may not happen often.
 	const float each = float(size) / float(p_draft.entry.body_count);
-	_bytes_per_body =
-			is_full ? std::max(each, _bytes_per_body) : _bytes_per_body + (each - _bytes_per_body) * BODY_SIZE_MEMORY;
+	_bytes_each = is_full ? std::max(each, _bytes_each) : _bytes_each + (each - _bytes_each) * BODY_SIZE_MEMORY;
 	out.size += size;
 	p_draft.flags |= HAS_BODIES;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The part of SnapshotEncoder that is about the fields of entities.
+#include "replication/fields_writer.hpp"
+
 #include "replication/entry_coding.hpp"
 #include "replication/field_codec.hpp"
-#include "replication/snapshot_encoder.hpp"
 
 #include <algorithm>
 
@@ -17,7 +17,7 @@ constexpr float FIELDS_SIZE_MEMORY = 0.02f;
 } // namespace
 
 // Puts what has changed since the client was last looked at on its list.
-void SnapshotEncoder::_read_changes(ClientRecord &p_client) const {
+void FieldsWriter::read_changes(ClientRecord &p_client) const {
 	const EntityTable &entities = _history.entities();
 	const uint64_t count = entities.change_count();
 	if (count - p_client.changes_read > EntityTable::MAX_CHANGES || p_client.reads_all_fields) {
@@ -34,9 +34,8 @@ void SnapshotEncoder::_read_changes(ClientRecord &p_client) const {
 	p_client.changes_read = count;
 }
 
-SnapshotEncoder::FieldBase SnapshotEncoder::_field_base(
-		const FieldDelivery &p_delivery, const EntityTable::Entity &p_entity) const {
-	const FieldBase spawn{ p_entity.history->spawn().data(), -1 };
+FieldsWriter::Base FieldsWriter::find_base(const FieldDelivery &p_delivery, const EntityTable::Entity &p_entity) const {
+	const Base spawn{ p_entity.history->spawn().data(), -1 };
 	const uint32_t tick = _history.tick();
 	const uint32_t acked = p_delivery.acked;
 	if (acked == NEVER || acked >= tick || acked < p_entity.first_tick) {
@@ -51,11 +50,11 @@ SnapshotEncoder::FieldBase SnapshotEncoder::_field_base(
 	}
 	// Old as it is, it is the newest that the client can have from so long ago.
 	const bool is_only = p_delivery.first_unacked == NEVER || tick - p_delivery.first_unacked <= FieldHistory::MAX_AGE;
-	return is_only ? FieldBase{ values, 0 } : spawn;
+	return is_only ? Base{ values, 0 } : spawn;
 }
 
 // Whether a client does not have an entity's fields, as far as is known.
-bool SnapshotEncoder::_needs_fields(ClientRecord &p_client, std::size_t p_index) const {
+bool FieldsWriter::needs_fields(ClientRecord &p_client, std::size_t p_index) const {
 	const EntityTable::Entity &entity = *_history.entities().slots()[p_index];
 	if (!entity.is_there || entity.first_tick == NEVER || entity.committed.empty()) {
 		return false;
@@ -68,14 +67,15 @@ bool SnapshotEncoder::_needs_fields(ClientRecord &p_client, std::size_t p_index)
 	return delivery.is_lost || known == nullptr || !std::equal(entity.committed.begin(), entity.committed.end(), known);
 }
 
-void SnapshotEncoder::_collect_fields(ClientRecord &p_client) {
-	_read_changes(p_client);
+void FieldsWriter::collect(ClientRecord &p_client) {
+	_waiting.clear();
+	read_changes(p_client);
 	std::size_t kept = 0;
 	for (const uint16_t index : p_client.pending_fields) {
 		const EntityTable::Entity &entity = *_history.entities().slots()[index];
 		FieldDelivery &delivery = p_client.field_delivery(index, entity.generation);
 		// A new version of the table makes the client look at all that it does not know yet.
-		if (!p_client.knows(entity.table_version) || !_needs_fields(p_client, index)) {
+		if (!p_client.knows(entity.table_version) || !needs_fields(p_client, index)) {
 			delivery.is_pending = false;
 			continue;
 		}
@@ -83,38 +83,31 @@ void SnapshotEncoder::_collect_fields(ClientRecord &p_client) {
 		const Vec3 *position = _history.position_of(entity);
 		const bool is_own = int(entity.id) == p_client.own_person;
 		const bool is_plain = position == nullptr || is_own || p_client.is_recorder || !p_client.has_viewpoint;
-		const float weight = is_plain ? 1.0f : _visibility.weight(p_client.viewpoint, *position);
+		const float weight = is_plain ? 1.0f : _interest.weight(p_client.viewpoint, *position);
 		delivery.urgency = std::min(delivery.urgency + weight, MAX_URGENCY);
 		if (weight >= Interest::FAR || delivery.urgency >= HIDDEN_URGENCY) {
-			_fields_waiting.push_back({ delivery.urgency + (delivery.is_lost ? MAX_URGENCY : 0.0f), index });
+			_waiting.add(delivery.urgency + (delivery.is_lost ? MAX_URGENCY : 0.0f), index);
 		}
 	}
 	p_client.pending_fields.resize(kept);
 }
 
 // Takes the most urgent entities that are likely to fit out of those that wait, in the order of their numbers.
-void SnapshotEncoder::_choose_fields(std::size_t p_room) {
-	const std::size_t most = std::min(std::size_t(float(p_room) / _bytes_per_fields), std::size_t(MAX_FIELD_ENTITIES));
-	const std::size_t count = std::min(std::max<std::size_t>(most, 1), _fields_waiting.size());
-	const auto begin = _fields_waiting.end() - std::ptrdiff_t(count);
-	std::nth_element(_fields_waiting.begin(), begin, _fields_waiting.end(),
-			[](const Candidate &p_a, const Candidate &p_b) { return p_a.urgency < p_b.urgency; });
-	_chosen.clear();
-	for (auto one = begin; one != _fields_waiting.end(); ++one) {
-		_chosen.push_back(one->index);
-	}
-	_fields_waiting.erase(begin, _fields_waiting.end());
+void FieldsWriter::choose(std::size_t p_room) {
+	const std::size_t most = std::min(std::size_t(float(p_room) / _bytes_each), std::size_t(MAX_FIELD_ENTITIES));
+	const std::size_t count = std::min(std::max<std::size_t>(most, 1), _waiting.size());
+	_waiting.take(count, _chosen);
 	const auto &slots = _history.entities().slots();
 	std::sort(_chosen.begin(), _chosen.end(),
 			[&](uint16_t p_a, uint16_t p_b) { return thing_number(slots[p_a]->id) < thing_number(slots[p_b]->id); });
 }
 
-void SnapshotEncoder::_write_fields(ClientRecord &p_client, Draft &p_draft) {
+void FieldsWriter::write(ClientRecord &p_client, Draft &p_draft) {
 	Datagram &out = p_draft.out;
-	if (_fields_waiting.empty() || out.size + FIELDS_MARGIN > p_draft.room) {
+	if (_waiting.is_empty() || out.size + FIELDS_MARGIN > p_draft.room) {
 		return;
 	}
-	_choose_fields(p_draft.room - out.size - FIELDS_MARGIN);
+	choose(p_draft.room - out.size - FIELDS_MARGIN);
 	const std::size_t begin = out.size;
 	RangeEncoder encoder(&out.bytes[begin], MAX_BYTES - begin);
 	FieldCodec codec;
@@ -126,10 +119,10 @@ void SnapshotEncoder::_write_fields(ClientRecord &p_client, Draft &p_draft) {
 		const std::size_t now = begin + encoder.written();
 		if (now + FIELDS_MARGIN > p_draft.room ||
 				now + FieldCodec::max_bytes(entity.committed.size()) + FIELDS_MARGIN > MAX_BYTES) {
-			_fields_waiting.push_back({ delivery.urgency, index });
+			_waiting.add(delivery.urgency, index);
 			continue;
 		}
-		const FieldBase base = _field_base(delivery, entity);
+		const Base base = find_base(delivery, entity);
 		if (last_number >= 0) {
 			encoder.encode_bit(false, GOES_ON);
 		}
@@ -153,7 +146,7 @@ void SnapshotEncoder::_write_fields(ClientRecord &p_client, Draft &p_draft) {
 	encoder.encode_bit(true, GOES_ON);
 	const std::size_t size = encoder.finish();
 	const float each = float(size) / float(p_draft.entry.field_count);
-	_bytes_per_fields += (each - _bytes_per_fields) * FIELDS_SIZE_MEMORY;
+	_bytes_each += (each - _bytes_each) * FIELDS_SIZE_MEMORY;
 	out.size += size;
 	p_draft.flags |= HAS_FIELDS;
 }
