@@ -135,8 +135,8 @@ func is_worn() -> bool:
 
 
 ## Goes into the headset, such as by a key after it was lost. Returns why it cannot be, or an empty
-## text: then the program starts again as soon as the runtime has answered, or [signal notified] says
-## what it answered.
+## text: then the program starts again as soon as the runtime has answered, or [signal notified] has
+## its answer.
 func enter() -> String:
 	if _view != null:
 		return ""
