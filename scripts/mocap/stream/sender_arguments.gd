@@ -24,7 +24,7 @@ static func read(
 		var limits: Vector2 = p_ranges[name]
 		var is_whole: bool = p_whole.has(name)
 		var is_number: bool = text.is_valid_int() or (not is_whole and text.is_valid_float())
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not is_number or not (text.to_float() >= limits.x and text.to_float() <= limits.y):
 			return "--%s is %d to %d, found '%s'" % [name, limits.x, limits.y, text]
 	return ""

@@ -101,7 +101,7 @@ func get_body() -> BodySize:
 	return size
 
 
-## The newest pose, or null; for those who show it.
+## The newest pose, or null; use it to show the pose, and [method sample] to send it.
 func get_newest() -> PoseSample:
 	_mutex.lock()
 	var pose: PoseSample = _newest
