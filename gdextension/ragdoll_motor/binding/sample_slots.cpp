@@ -8,7 +8,7 @@ namespace godot {
 
 namespace {
 
-constexpr int64_t MOST_SLOTS = 256;
+constexpr int64_t MAX_SLOTS = 256;
 
 } // namespace
 
@@ -26,7 +26,7 @@ void SampleSlots::set_limbs(std::vector<ragdoll::Quat> p_reset_pose) {
 void SampleSlots::resize_pose() {
 	int64_t slot_count = int64_t(_reset_pose.size());
 	for (int64_t i = 0; i < _slots.size(); i++) {
-		slot_count = std::max<int64_t>(slot_count, std::min<int64_t>(_slots[i] + 1, MOST_SLOTS));
+		slot_count = std::max<int64_t>(slot_count, std::min<int64_t>(_slots[i] + 1, MAX_SLOTS));
 	}
 	_pose.resize(3 + 4 * slot_count);
 	_pose.fill(0.0);
