@@ -71,7 +71,7 @@ var signal_dbm: int = 0
 var ping_s: float = -1.0
 ## When something came last, and when something was sent, µs of Unix time.
 var heard_usec: int = 0
-var told_usec: int = 0
+var reported_usec: int = 0
 ## Number and time of the last ping.
 var ping_number: int = 0
 var ping_usec: int = 0

@@ -1,4 +1,4 @@
-class_name SensorPlaces
+class_name SensorPositions
 extends RefCounted
 ## Where on a body sensors usually sit, and how joints lie to them: a few centimetres right.
 

@@ -1,4 +1,4 @@
-class_name PlaceCheck
+class_name SpawnCheck
 extends RefCounted
 ## Whether people and props start where there is room, and people on the ground.
 

@@ -1,4 +1,4 @@
-class_name BonePlaces
+class_name BoneTransforms
 extends RefCounted
 ## Where a ragdoll's bones are while its bodies move, read from the bodies.
 ##

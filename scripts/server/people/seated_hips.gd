@@ -1,4 +1,4 @@
-class_name SeatPlace
+class_name SeatedHips
 extends RefCounted
 ## Computes where in a seat the hips of its occupant should be, from what the wearer does: there is
 ## no room to walk, and the arms are folded before the hips go down into a hatch.

@@ -1,4 +1,4 @@
-class_name WearerPlace
+class_name WearerTransform
 extends RefCounted
 ## Transform of this client's wearer in the world.
 
