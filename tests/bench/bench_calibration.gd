@@ -3,8 +3,7 @@ extends Bench
 ##
 ## Options: --only=PART (again for more; default all): clips (perfect wearers, filling, trackers),
 ## norths (sensors whose norths are apart), poses (poses held badly), forecast (the error that is
-## told against the one that is there; --details=1 for each wearer), dressing (sensors put on
-## anywhere), drift. --bvh=FILE (again for more; default the clips in assets/motion),
+## told against the one that is there), dressing (sensors put on anywhere), drift. --bvh=FILE (again for more; default the clips in assets/motion),
 ## --rounds=5 (wearers a case), --seed=1, --noise=0 (deg, of clips; others have 0.5 unless given),
 ## --norths=0,10,20,40,60 (deg), --poses=0,3,10 (deg), --efforts=0.3 (part by which movements are
 ## larger or smaller), --soft=3 (deg of soft tissue), --orders=20 (orders of dressing a case),
@@ -27,7 +26,6 @@ func options() -> Dictionary:
 		"efforts": [0.3, 0.0, 0.89],
 		"soft": [3.0, 0.0, 44.9],
 		"orders": [20, 1, 1000],
-		"details": false,
 		"runs": 6,
 		"minutes": 10.0,
 		"rates": "0,1,3,5",

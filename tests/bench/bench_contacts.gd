@@ -4,8 +4,7 @@ extends Bench
 ## Options: --scene=NAME (again for more; default all), --hz=60 (again for more; default 60, walls
 ## at 120 too), --bvh=FILE (again for more; default the three clips in assets/motion),
 ## --body=soldier|file (default both), --root=held|soft, --gain=50 (1/s), --mode=velocity_motor
-## (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll),
-## --jolt=SETTING=NUMBER (below physics/jolt_physics_3d/).
+## (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll).
 
 const _SCENES: Dictionary[String, GDScript] = {
 	"jitter": preload("contacts/scene_jitter.gd"),
@@ -39,18 +38,17 @@ func options() -> Dictionary:
 		"root": ["", ["held", "soft"]],
 		"gain": 50.0,
 		"mode": ["velocity_motor", TrackingCase.MODES],
-		"set": "",
-		"jolt": ""
+		"set": ""
 	}
 
 
-## Applies --set and --jolt.
+## Applies --set.
 func find_fault() -> String:
 	return _apply_settings()
 
 
 func measure() -> void:
-	# Project settings reach the physics server at the end of the frame in which they were set.
+	# The first frame's step is still to come.
 	await process_frame
 	await process_frame
 	_cast()
@@ -86,26 +84,21 @@ func _cast_of(p_name: String) -> Array[ContactPerformer]:
 	return cast
 
 
-## Reads --set and --jolt; returns what is wrong.
+## Reads --set; returns what is wrong.
 func _apply_settings() -> String:
 	_properties[&"gain"] = option("gain")
 	_properties[&"actuation"] = TrackingCase.MODES.find(option("mode"))
 	var probe: Ragdoll = Ragdoll.new()
 	var fault: String = ""
-	for kind: String in ["set", "jolt"]:
-		for pair: String in arguments.list(kind):
-			var name: String = pair.get_slice("=", 0)
-			var number: String = pair.get_slice("=", 1)
-			var setting: String = "physics/jolt_physics_3d/" + name
-			if not number.is_valid_float():
-				fault = "--%s expects NAME=NUMBER, found '%s'" % [kind, pair]
-			elif kind == "set" and name in probe:
-				_properties[StringName(name)] = number.to_float()
-			elif kind == "jolt" and ProjectSettings.has_setting(setting):
-				var old: Variant = ProjectSettings.get_setting(setting)
-				ProjectSettings.set_setting(setting, type_convert(number.to_float(), typeof(old)))
-			else:
-				fault = "--%s: there is no '%s'" % [kind, name]
+	for pair: String in arguments.list("set"):
+		var name: String = pair.get_slice("=", 0)
+		var number: String = pair.get_slice("=", 1)
+		if not number.is_valid_float():
+			fault = "--set expects NAME=NUMBER, found '%s'" % pair
+		elif name in probe:
+			_properties[StringName(name)] = number.to_float()
+		else:
+			fault = "--set: there is no '%s'" % name
 	probe.free()
 	return fault
 

@@ -20,14 +20,10 @@ func _init(
 ) -> void:
 	_source = p_source
 	if p_root == RagdollMotor.ROOT_GROUNDED:
-		_floor = Block.new()
-		_floor.size = Vector3(200.0, 1.0, 200.0)
-		_floor.position.y = -0.5
+		_floor = BenchBodies.ground(200.0)
 		p_parent.add_child(_floor)
-	var scene: PackedScene = load("res://scenes/actor/soldier.tscn")
 	for i: int in p_people:
-		var ragdoll: Ragdoll = scene.instantiate()
-		ragdoll.root_mode = p_root
+		var ragdoll: Ragdoll = BenchBodies.soldier(p_root)
 		p_parent.add_child(ragdoll)
 		ragdoll.start()
 		ragdolls.append(ragdoll)

@@ -135,7 +135,6 @@ func _come_to_rest(p_report: BenchReport) -> void:
 			cueing.step(_AT_REST, Vector3.ZERO, _STEP_S)
 		var off: float = cueing.get_position().length() * 1000.0
 		p_report.at_most(name, "neutral after 30 s", off, "mm", 1.0)
-		p_report.add(name, "neutral after 30 s", rad_to_deg(cueing.get_attitude().length()), "deg")
 
 
 func _time_steps(p_report: BenchReport, p_rounds: int) -> void:

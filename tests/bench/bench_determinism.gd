@@ -32,18 +32,14 @@ func _play(p_source: BvhSource) -> int:
 	var view: SubViewport = SubViewport.new()
 	view.own_world_3d = true
 	root.add_child(view)
-	var ground: Block = Block.new()
-	ground.size = Vector3(60.0, 1.0, 60.0)
-	ground.position.y = -0.5
-	view.add_child(ground)
+	view.add_child(BenchBodies.ground())
 	for i: int in 6:
 		var crate: RigidBody3D = _CRATE.instantiate()
 		crate.position = Vector3(0.3 * i, 0.25 + 0.5 * (i % 2), 0.8 + 0.2 * i)
 		view.add_child(crate)
 	var people: Array[Ragdoll] = []
 	for i: int in option("people"):
-		var person: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
-		person.root_mode = root_mode()
+		var person: Ragdoll = BenchBodies.soldier(root_mode())
 		view.add_child(person)
 		person.start()
 		people.append(person)

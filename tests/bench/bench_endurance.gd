@@ -17,11 +17,8 @@ const _MOST_GROWTH: float = 1.2
 const _LOOK_EVERY: int = 2
 
 var _melee: Melee = null
-## Highest energy of a person, of all people together (J), hips (m), and all people's energy by
-## rounds.
+## Highest energy of a person, J, and all people's energy by rounds.
 var _highest: float = 0.0
-var _all_highest: float = 0.0
-var _top: float = -INF
 var _rounds: Array[Statistics] = []
 
 
@@ -73,11 +70,6 @@ func _look(p_round: int) -> void:
 		var energy: float = person.energy()
 		_highest = maxf(_highest, energy)
 		all += energy
-		var hips: Transform3D = PhysicsServer3D.body_get_state(
-			person.ragdoll.get_bodies()[0], PhysicsServer3D.BODY_STATE_TRANSFORM
-		)
-		_top = maxf(_top, hips.origin.y)
-	_all_highest = maxf(_all_highest, all)
 	_rounds[p_round].add(all)
 
 
@@ -85,14 +77,11 @@ func _tell(p_fingerprint: int, p_other: Dictionary) -> void:
 	var parts: Array = [option("people"), option("root")]
 	var case: String = "%d people, %s, " % parts + "%s min" % String.num(option("minutes"), 1)
 	report.at_most(case, "highest energy of a person", _highest, "J", _MOST_ENERGY)
-	report.add(case, "highest energy of all", _all_highest, "J")
 	# The last round is hardly ever whole.
 	var half: int = (_rounds.size() - 1) / 2
 	if half > 0:
 		var growth: float = _mean_energy(half, half * 2) / maxf(_mean_energy(0, half), 1.0)
 		report.at_most(case, "mean energy, second by first half", growth, "", _MOST_GROWTH)
-	report.add(case, "highest hips", _top, "m")
-	report.add(case, "guards acted", _melee.guarded, "ticks")
 	report.add(case, "fingerprint", p_fingerprint, "")
 	if p_other.is_empty():
 		return

@@ -6,9 +6,8 @@ extends Bench
 ## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default
 ## grounded), --bvh=FILE (of the scenes clip and blocked, again for more; default the clips in
 ## assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
-## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --trace (prints pushes and the
-## deepest limbs as they go), --world=NAME, --way=KIND (of the scene town; KIND again for more;
-## default all).
+## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --world=NAME, --way=KIND (of the
+## scene town; KIND again for more; default all).
 
 const _SCENES: Array[String] = [
 	"stand",
@@ -40,7 +39,6 @@ func options() -> Dictionary:
 		"bvh": "",
 		"hz": [60, 10, 1000],
 		"set": "",
-		"trace": false,
 		"obstacle": ["", GroundObstacles.KINDS],
 		"world": "town",
 		"way": ["", TownWays.KINDS]
@@ -119,7 +117,7 @@ func _ball() -> void:
 
 
 func _push() -> void:
-	var pushes: GroundPushes = GroundPushes.new(report, option("trace"))
+	var pushes: GroundPushes = GroundPushes.new(report)
 	for impulse: float in [40.0, 80.0, 160.0]:
 		for direction: Vector3 in [Vector3.BACK, Vector3.FORWARD, Vector3.RIGHT, Vector3.LEFT]:
 			var run: GroundRun = _begin_standing()
@@ -137,7 +135,7 @@ func _blocked() -> void:
 			var world: ContactWorld = ContactWorld.new(option("hz"))
 			root.add_child(world)
 			var person: ContactPerson = performer.enter(world, root_mode())
-			var blocked: GroundBlocked = GroundBlocked.new(option("trace"))
+			var blocked: GroundBlocked = GroundBlocked.new()
 			await blocked.run(world, person, performer, kind, side)
 			blocked.tell(report, "%s, %s" % [kind, file.get_file()])
 			world.queue_free()
@@ -148,7 +146,7 @@ func _town() -> void:
 	var town: GroundTown = GroundTown.new(self, report, option("hz"), root_mode(), _soldier())
 	for kind: String in TownWays.KINDS:
 		if kind in values("way", TownWays.KINDS):
-			await town.run(option("world"), kind, option("trace"))
+			await town.run(option("world"), kind)
 
 
 ## Somebody who plays a motion file, or null, which is noted.
@@ -190,8 +188,3 @@ func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> voi
 	report.at_most(p_case, "force from outside p95", force, "% of weight", 8.0)
 	report.at_most(p_case, "error", GroundRun.mean(p_run.errors), "deg", 2.0)
 	report.at_most(p_case, "error above the legs", GroundRun.mean(p_run.upper), "deg", 1.2)
-	report.add(p_case, "error p99", GroundRun.percentile(p_run.errors, 0.99), "deg")
-	report.add(p_case, "drift mean", GroundRun.mean(p_run.drifts), "m")
-	report.add(p_case, "drift p99", GroundRun.percentile(p_run.drifts, 0.99), "m")
-	report.add(p_case, "steps of its own", p_run.steps, "")
-	report.add(p_case, "hips too low at most", p_run.lowest(), "m")

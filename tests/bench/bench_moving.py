@@ -23,7 +23,7 @@ from toolchain.process_times import thread_seconds
 from toolchain.processes import Group, ask, free_port, json_lines
 from toolchain.stats import Stats
 
-SCRIPT = "res://tests/bench/moving/moving_clients.gd"
+SCRIPT = "res://tests/bench/joins/joins_clients.gd"
 MIN_TICKS = 58.0
 MIN_SNAPSHOTS = 50.0
 OBSERVERS = 2
@@ -112,7 +112,8 @@ def measure(arguments: list[str]) -> int:
 def _run_case(
     bench: Bench, name: str, clients: int, people: int, seconds: float, server: Path
 ) -> None:
-    options = [f"--clients={clients}", f"--people={people}"]
+    # They end long after the server does.
+    options = ["--plan=move", "--seconds=3600", f"--clients={clients}", f"--people={people}"]
     program = bench.command("--headless", "-s", SCRIPT, "--", *options)
     with bench.session() as (group, _):
         session = Session(group, server, program)

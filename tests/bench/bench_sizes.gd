@@ -56,9 +56,8 @@ func _run_clip(
 	var source: BvhSource = report.open_clip(p_file)
 	if source == null:
 		return false
-	var ragdoll: Ragdoll = (load(SOLDIER) as PackedScene).instantiate()
+	var ragdoll: Ragdoll = BenchBodies.soldier(p_mode)
 	_fit(ragdoll, p_person)
-	ragdoll.root_mode = p_mode
 	root.add_child(ragdoll)
 	ragdoll.start()
 	var acted: Array[int] = [0]

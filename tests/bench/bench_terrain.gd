@@ -125,23 +125,17 @@ func _is_below(p_place: Vector3) -> bool:
 
 
 func _make_box() -> RigidBody3D:
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = Vector3.ONE * _BOX_M
-	return _throw(box, 10.0, _BOX_SPEED, _BOX_M)
+	return _throw(BenchBodies.box(Vector3.ONE * _BOX_M), 10.0, _BOX_SPEED, _BOX_M)
 
 
 func _make_ball() -> RigidBody3D:
-	var ball: SphereShape3D = SphereShape3D.new()
-	ball.radius = _BALL_M
-	return _throw(ball, 0.4, _BALL_SPEED, _BALL_M)
+	return _throw(BenchBodies.ball(_BALL_M), 0.4, _BALL_SPEED, _BALL_M)
 
 
 ## Throws a body at the ground from a little above it, downwards at any angle.
-func _throw(p_shape: Shape3D, p_mass: float, p_speed: float, p_size: float) -> RigidBody3D:
+func _throw(p_shape: CollisionShape3D, p_mass: float, p_speed: float, p_size: float) -> RigidBody3D:
 	var body: RigidBody3D = RigidBody3D.new()
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	shape.shape = p_shape
-	body.add_child(shape)
+	body.add_child(p_shape)
 	body.mass = p_mass
 	body.continuous_cd = true
 	body.collision_layer = PhysicsLayers.PROPS

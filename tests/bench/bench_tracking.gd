@@ -89,7 +89,7 @@ func _run_clip(p_file: String, p_case: Case) -> Dictionary:
 	var source: BvhSource = report.open_clip(p_file)
 	if source == null:
 		return {}
-	var ragdoll: Ragdoll = _make_ragdoll(source.rig, p_case)
+	var ragdoll: Ragdoll = _make_ragdoll(source, p_case)
 	root.add_child(ragdoll)
 	if not ragdoll.start():
 		report.leave_out(p_file, "the ragdoll does not start")
@@ -153,13 +153,8 @@ func _add_noise(p_sample: PoseSample) -> void:
 		p_sample.set_orientation(limb, p_sample.orientation(limb) * noise)
 
 
-func _make_ragdoll(p_rig: BvhRig, p_case: Case) -> Ragdoll:
-	var ragdoll: Ragdoll = Ragdoll.new()
-	var skeleton: Skeleton3D = BvhSkeleton.make(p_rig)
-	ragdoll.add_child(skeleton)
-	ragdoll.profile = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.profile)
-	ragdoll.root_mode = p_case.root
+func _make_ragdoll(p_source: BvhSource, p_case: Case) -> Ragdoll:
+	var ragdoll: Ragdoll = BenchBodies.of_clip(p_source, p_case.root)
 	ragdoll.self_collision = p_case.self_collision
 	if option("gain") > 0.0:
 		ragdoll.gain = option("gain")

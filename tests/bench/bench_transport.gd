@@ -4,7 +4,7 @@ extends Bench
 ##
 ## Options: --seconds=5 (each case), --hz=60 (datagrams per second and pairs' sender), --bytes=281,
 ## --fps=60 (frames of the polled peer), --clients=32 (connections in the case of many), --case=all
-## (or threads, flood, client, server, polled, sealing). Goals: p50 of the thread at most 1 ms; an
+## (or threads, client, server, polled, sealing). Goals: p50 of the thread at most 1 ms; an
 ## idle client's thread at most 0.3 % of a core; a server's at most 2 ms a tick.
 
 const LinkPair: GDScript = preload("res://tests/net/link_pair.gd")
@@ -14,7 +14,7 @@ const _GOAL_MS: float = 1.0
 ## Share of a core that a client's thread may take while nothing is sent, %.
 const _GOAL_IDLE: float = 0.3
 ## Values of --case.
-const _CASES: Array[String] = ["all", "threads", "flood", "client", "server", "polled", "sealing"]
+const _CASES: Array[String] = ["all", "threads", "client", "server", "polled", "sealing"]
 ## First byte of the datagrams.
 const _KIND: int = 1
 
@@ -44,8 +44,6 @@ func measure() -> void:
 	for seals: bool in [true, false]:
 		if _is_wanted("threads"):
 			await _run_threaded(seals)
-		if _is_wanted("flood"):
-			await _run_flood(seals)
 		if _is_wanted("client"):
 			await _run_idle(seals)
 		if _is_wanted("server"):
@@ -140,34 +138,6 @@ func _run_polled() -> void:
 	server.close()
 	for client: ENetMultiplayerPeer in clients:
 		client.close()
-
-
-## As many datagrams as go through, and what one costs in all threads together.
-func _run_flood(p_seals: bool) -> void:
-	var port: int = LinkPair.free_port()
-	var server: ThreadedPeer = _make_peer(p_seals)
-	server.create_server(port, "127.0.0.1")
-	var clients: Array[ThreadedPeer] = await _join(server, port, 1)
-	var got: int = 0
-	var sent: int = 0
-	var cpu: float = _cpu_seconds()
-	var begin: int = Time.get_ticks_usec()
-	var span: int = int((option("seconds") as float) * 1e6)
-	while Time.get_ticks_usec() - begin < span:
-		for _datagram: int in 20:
-			clients[0].send_fast(1, _stamped())
-			sent += 1
-		OS.delay_usec(1000)
-		got += server.take_fast().size()
-	OS.delay_msec(50)
-	got += server.take_fast().size()
-	var seconds: float = (Time.get_ticks_usec() - begin) / 1e6
-	var case: String = "one way, as many as go" + _suffix(p_seals)
-	report.add(case, "arrived", got / seconds, "1/s")
-	report.add(case, "lost", 100.0 * (sent - got) / sent, "%")
-	var cost: float = (_cpu_seconds() - cpu) * 1e6 / got
-	report.add(case, "all threads, per datagram", cost, "us")
-	_close(server, clients)
 
 
 ## What the thread of a connected client costs that sends nothing and is sent nothing, and of one
@@ -302,13 +272,3 @@ func _stamped() -> PackedByteArray:
 	bytes.encode_u8(0, _KIND)
 	bytes.encode_u64(1, Time.get_ticks_usec())
 	return bytes
-
-
-## CPU time of all of the process, s.
-func _cpu_seconds() -> float:
-	var file: FileAccess = FileAccess.open("/proc/self/stat", FileAccess.READ)
-	if file == null:
-		return 0.0
-	var fields: PackedStringArray = file.get_line().get_slice(") ", 1).split(" ")
-	# Ticks of 10 ms, in the program and in the system for it.
-	return (fields[11].to_int() + fields[12].to_int()) / 100.0

@@ -33,7 +33,6 @@ func measure() -> void:
 	await physics_frame
 	_measure_frames("near", _NEAR_M, _GOAL_MS)
 	_measure_frames("beyond 40 m", _FAR_M, _GOAL_MS)
-	_measure_parts()
 	_measure_belts()
 	_measure_phase()
 	if DisplayServer.get_name() != "headless":
@@ -61,21 +60,15 @@ func _add_view(p_at: Vector3) -> void:
 
 ## All drive on, each in its own way: dust, prints, antennas, everything is busy.
 func _measure_frames(p_name: String, p_away: float, p_goal: float) -> void:
-	var took: PackedFloat64Array = []
+	var took: Statistics = Statistics.new()
 	for frame: int in option("frames") as int:
 		for number: int in _views.size():
 			_move(_views[number], number, frame)
 		var begin: int = ThreadClock.get_usec()
 		for view: VehicleView in _views:
 			view.advance(_STEP, p_away)
-		took.append(float(ThreadClock.get_usec() - begin) / _views.size() / 1000.0)
-	took.sort()
-	var mean: float = 0.0
-	for one: float in took:
-		mean += one / took.size()
-	report.at_most("a tank, " + p_name, "main thread a frame", mean, "ms", p_goal)
-	var late: float = took[took.size() * 99 / 100]
-	report.add("a tank, " + p_name, "99th percentile", late, "ms")
+		took.add(float(ThreadClock.get_usec() - begin) / _views.size() / 1000.0)
+	report.at_most("a tank, " + p_name, "main thread a frame", took.mean(), "ms", p_goal)
 
 
 func _move(p_view: VehicleView, p_number: int, p_frame: int) -> void:
@@ -88,23 +81,6 @@ func _move(p_view: VehicleView, p_number: int, p_frame: int) -> void:
 	p_view.state.hatch = 0.5 + 0.5 * sin(angle)
 
 
-## What the rays and the effects are of it.
-func _measure_parts() -> void:
-	var view: VehicleView = _views[0]
-	var space: PhysicsDirectSpaceState3D = view.get_world_3d().direct_space_state
-	var frames: int = option("frames")
-	var begin: int = ThreadClock.get_usec()
-	for _frame: int in frames:
-		view.ground.advance(space, view.global_transform, _STEP)
-	var rays: float = float(ThreadClock.get_usec() - begin) / frames
-	report.add("a tank, near", "of it rays of 16 wheels", rays, "us")
-	begin = ThreadClock.get_usec()
-	for frame: int in frames:
-		view.effects.advance(view.state, [view.way_of(0), view.way_of(1)], _STEP, _NEAR_M)
-	var effects: float = float(ThreadClock.get_usec() - begin) / frames
-	report.add("a tank, near", "of it effects", effects, "us")
-
-
 func _measure_belts() -> void:
 	var belt: TrackBelt = _views[0].sides[0].belt
 	var lifts: PackedFloat32Array = [0.02, 0.0, -0.03, 0.05, 0.0, 0.01, -0.02, 0.04]
@@ -113,7 +89,6 @@ func _measure_belts() -> void:
 	for number: int in rounds:
 		belt.lay(number * 0.013, lifts)
 	var lay: float = float(ThreadClock.get_usec() - begin) / rounds
-	report.add("belts", "a side of %d links" % belt.get_link_count(), lay, "us")
 	report.at_most("belts", "both sides", lay * 2.0, "us", _GOAL_BELT_USEC)
 
 

@@ -7,8 +7,7 @@ crates and throws; in sessions of exported programs on 127.0.0.1: the tick with 
 crates, a client's start, a change of level; and Try level, clicked in the editor. Heights of the
 desert are `bench terrain`, received levels `bench levels`, people on screen `bench display`.
 Options: --world=NAME (again for more), --views=500, --throws=10000, --part=NAME (again for more:
-views, bake, physics, session, trial; default all), --pictures=DIR (of views that differ, and of the
-tiers).
+views, bake, physics, session, trial; default all).
 """
 
 from __future__ import annotations
@@ -70,7 +69,6 @@ class WorldBench(Bench):
             "part": PARTS,
             "views": 500,
             "throws": 10000,
-            "pictures": "",
         }
         self.options = Options(arguments, defaults)
         super().__init__("worlds", self.options.json, export=True)
@@ -105,10 +103,7 @@ def measure_views(bench: WorldBench, world: str, environment: dict[str, str]) ->
         size = ["--resolution", "480x270"]
         views = bench.options["views"] if world == TOWN else bench.options["views"] // 10
         options = [f"--world={world}", f"--out={out}", f"--views={views}"]
-        options += [
-            f"--pictures={bench.options['pictures']}",
-            f"--tiers={FRAMES if world == TOWN else 0}",
-        ]
+        options.append(f"--tiers={FRAMES if world == TOWN else 0}")
         flags = [*SOFTWARE, *size, "-s", SCRIPTS + "world_views.gd", "--", *options]
         bench.run(bench.command(*flags), environment, 3600.0)
         found: dict[str, Any] = json.loads(out.read_text(encoding="utf-8"))
@@ -121,14 +116,14 @@ def add_views(stats: Stats, world: str, found: dict[str, Any]) -> None:
     most_load = MAX_LOAD_MS if is_town else None
     stats.add(world, "load, processor time", found["load_ms"], "ms", at_most=most_load)
     path = found["path"]
-    names = (("draw calls", ""), ("primitives", "k"), ("CPU of a frame", "ms"), ("frame", "ms"))
+    names = (("draw calls", ""), ("primitives", "k"))
     for column, (name, unit) in enumerate(names):
         whole = mean(row[column] for row in path["without"])
         stats.add(world, f"{name} on the path, all", whole, unit)
         if found["has_sets"]:
             part = mean(row[column] for row in path["with"])
             stats.add(world, f"{name} on the path, with sets", part, unit)
-            goal = {0: MAX_DRAWS_SHARE, 1: MAX_PRIMITIVES_SHARE}.get(column) if is_town else None
+            goal = (MAX_DRAWS_SHARE, MAX_PRIMITIVES_SHARE)[column] if is_town else None
             stats.add(world, f"{name} with sets by all", part / whole, "", at_most=goal)
     if found["has_sets"] and found["views"]["count"]:
         views = found["views"]
@@ -145,10 +140,7 @@ def add_views(stats: Stats, world: str, found: dict[str, Any]) -> None:
             "",
             at_most=MAX_CELLS if is_town else None,
         )
-        stats.add(world, "cells seen from roofs too", found["cells_anywhere"], "")
     tiers = found["tiers"]
-    for name, frame_ms in tiers.items():
-        stats.add(world, f"tier {name}", 1000.0 / frame_ms, "frames/s")
     if tiers:
         ratio = max(tiers.values()) / min(tiers.values())
         stats.add(world, "lowest tier by highest", ratio, "", at_least=MIN_TIERS)
@@ -177,7 +169,6 @@ def measure_physics(bench: WorldBench) -> None:
     add = bench.stats.add
     add(TOWN, "check, processor time", found["check_s"], "s", at_most=MAX_CHECK_S)
     add(TOWN, "faults that it finds", found["faults"], "", at_most=0.0)
-    add(TOWN, f"{CRATES} crates that fall, tick", found["crates_falling_ms"], "ms")
     resting = found["crates_resting_ms"]
     add(TOWN, f"{CRATES} crates, tick", resting, "ms", at_most=MAX_CRATES_MS)
     for kind, speed in (("boxes", 10), ("balls", 40)):

@@ -1,6 +1,6 @@
 extends "part.gd"
 ## What calibration, filling and body trackers make of a clip that is worn as sensors by somebody
-## who does all exactly as asked, and what it costs.
+## who does all exactly as asked.
 
 const Wearer: GDScript = preload("res://tests/mocap/calibration/wearer.gd")
 const _EXACT_DEG: float = 0.05
@@ -38,7 +38,6 @@ func _run_clip(p_source: BvhSource) -> void:
 		_run_kind(name, kind, poses)
 	_run_tracker(name, p_source, poses)
 	_run_fill(name, p_source, poses)
-	_run_suit(name, p_source)
 
 
 func _run_kind(p_clip: String, p_kind: CalibrationGuide.Kind, p_poses: Array[PoseSample]) -> void:
@@ -66,21 +65,16 @@ func _run_tracker(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample
 	var publisher: TrackerPublisher = TrackerPublisher.new(p_source.get_body(), _TRACKER)
 	var back: TrackerSource = TrackerSource.new(_TRACKER)
 	var worst: float = 0.0
-	var begin: int = Time.get_ticks_usec()
-	var spent: int = 0
 	for pose: PoseSample in p_poses:
-		begin = Time.get_ticks_usec()
+		var begin: int = Time.get_ticks_usec()
 		publisher.publish(pose)
-		spent += Time.get_ticks_usec() - begin
 		back.advance(begin)
 		var again: PoseSample = back.sample(begin)
 		for limb: int in Limbs.COUNT:
 			var off: float = Rotations.between_deg(again.orientation(limb), pose.orientation(limb))
 			worst = maxf(worst, off)
 	publisher.retire()
-	var case_name: String = p_clip + ", body tracker"
-	report.at_most(case_name, "there and back", worst, "deg", _TRACKER_DEG)
-	report.add(case_name, "publish", float(spent) / p_poses.size(), "us")
+	report.at_most(p_clip + ", body tracker", "there and back", worst, "deg", _TRACKER_DEG)
 
 
 func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) -> void:
@@ -101,29 +95,3 @@ func _run_fill(p_clip: String, p_source: BvhSource, p_poses: Array[PoseSample]) 
 					var got: Vector3 = filler.limbs[limb] * along
 					off.add(rad_to_deg(got.angle_to(pose.orientation(limb) * along)))
 		report.add("%s, %d sensors" % [p_clip, count], "filled limbs, mean", off.mean(), "deg")
-
-
-func _run_suit(p_clip: String, p_source: BvhSource) -> void:
-	var wearer: Wearer = Wearer.new()
-	wearer.random = _random
-	wearer.wear(PackedInt32Array(range(BodyMounts.COUNT)))
-	var result: CalibrationResult = wearer.calibrate(CalibrationGuide.Kind.FULL)
-	var suit: SuitSource = SuitSource.new(wearer.feed)
-	suit.set_calibration(result.calibration)
-	var sampled: Statistics = Statistics.new()
-	var advanced: Statistics = Statistics.new()
-	for at: int in 2000:
-		wearer.feed.measure(p_source.pose_at(at / 100.0), wearer.now_usec)
-		var begin: int = Time.get_ticks_usec()
-		suit.sample(wearer.now_usec)
-		var between: int = Time.get_ticks_usec()
-		suit.advance(wearer.now_usec / 1e6)
-		sampled.add(between - begin)
-		advanced.add(Time.get_ticks_usec() - between)
-		wearer.now_usec += 10000
-	var case_name: String = p_clip + ", suit of 17"
-	report.add(case_name, "sample p50", sampled.percentile(0.5), "us")
-	report.add(case_name, "sample p99", sampled.percentile(0.99), "us")
-	report.add(case_name, "advance p50", advanced.percentile(0.5), "us")
-	report.add(case_name, "advance p99", advanced.percentile(0.99), "us")
-	report.add(case_name, "false alarms", suit.watch.messages().size(), "")

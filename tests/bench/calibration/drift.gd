@@ -25,17 +25,11 @@ var _clips: Array[Array] = []
 
 ## What became of a run.
 class Outcome:
-	## Mean error of all mounts at the end, degrees; and modulo a common turn of all.
-	var off_deg: float = 0.0
-	var shape_deg: float = 0.0
-	## That turn.
-	var common_deg: float = 0.0
-	## What it would be if nothing were corrected.
-	var raw_deg: float = 0.0
-	## Seconds in which something was said to be wrong.
-	var alarms: int = 0
-	## What was said.
-	var said: Dictionary[String, int] = {}
+	## Mean error of all mounts at the end, and what it would be if nothing were corrected, degrees.
+	var off: Statistics = Statistics.new()
+	var raw: Statistics = Statistics.new()
+	## Whether something was said to be wrong.
+	var is_alarmed: bool = false
 
 
 func measure() -> void:
@@ -52,20 +46,13 @@ func measure() -> void:
 
 func _run_case(p_name: String, p_rate: float) -> void:
 	var off: Statistics = Statistics.new()
-	var shape: Statistics = Statistics.new()
-	var common: Statistics = Statistics.new()
 	var raw: Statistics = Statistics.new()
 	var alarms: int = 0
-	var said: Dictionary[String, int] = {}
 	for run: int in arguments.value("runs"):
 		var outcome: Outcome = _run(p_name, p_rate, run)
-		off.add(outcome.off_deg)
-		shape.add(outcome.shape_deg)
-		common.add(absf(outcome.common_deg))
-		raw.add(outcome.raw_deg)
-		alarms += 1 if outcome.alarms > 0 else 0
-		for text: String in outcome.said:
-			said[text] = said.get(text, 0) + outcome.said[text]
+		off.add(outcome.off.mean())
+		raw.add(outcome.raw.mean())
+		alarms += int(outcome.is_alarmed)
 	var case_name: String = "%s, %s deg/min" % [p_name, String.num(p_rate, 2)]
 	var goal: float = 3.0 if p_rate > 1.5 else 2.5
 	report.add(case_name, "uncorrected", raw.mean(), "deg")
@@ -73,11 +60,7 @@ func _run_case(p_name: String, p_rate: float) -> void:
 		goal = raw.mean() + 0.3
 	report.at_most(case_name, "mean of limbs", off.mean(), "deg", goal)
 	report.add(case_name, "worst run", off.percentile(1.0), "deg")
-	report.add(case_name, "modulo the whole body", shape.mean(), "deg")
-	report.add(case_name, "whole body", common.mean(), "deg")
 	report.at_most(case_name, "runs with false alarms", alarms, "", 0.0)
-	for text: String in said:
-		report.add(case_name, "false: " + text, said[text], "s")
 
 
 func _run(p_name: String, p_rate: float, p_run: int) -> Outcome:
@@ -139,42 +122,24 @@ func _clips_of(p_random: RandomNumberGenerator) -> Array[Array]:
 func _wear(p_suit: SuitSource, p_feed: WornSensorFeed, p_motion: DailyMotion) -> Outcome:
 	var outcome: Outcome = Outcome.new()
 	var frames: int = roundi(arguments.value("minutes") * 60.0 * _RATE_HZ)
-	var off: Statistics = Statistics.new()
-	var shape: Statistics = Statistics.new()
-	var common: Statistics = Statistics.new()
-	var raw: Statistics = Statistics.new()
 	for at: int in frames:
 		var time_s: float = at / _RATE_HZ
 		var pose: PoseSample = p_motion.pose_at(time_s)
 		p_feed.measure(pose, _BEGIN_USEC + roundi(time_s * 1e6))
 		p_suit.advance(time_s)
 		if at % 25 == 0:
-			for text: String in p_suit.watch.messages():
-				outcome.alarms += 1
-				outcome.said[text] = outcome.said.get(text, 0) + 1
+			outcome.is_alarmed = outcome.is_alarmed or not p_suit.watch.messages().is_empty()
 		# The last 20 s count.
 		if at > frames - 500 and at % 10 == 0:
-			_compare(p_suit, p_feed, time_s, [off, shape, common, raw])
-	outcome.off_deg = off.mean()
-	outcome.shape_deg = shape.mean()
-	outcome.common_deg = common.mean()
-	outcome.raw_deg = raw.mean()
+			_compare(p_suit, p_feed, time_s, outcome)
 	return outcome
 
 
 func _compare(
-	p_suit: SuitSource, p_feed: WornSensorFeed, p_time_s: float, r_sums: Array[Statistics]
+	p_suit: SuitSource, p_feed: WornSensorFeed, p_time_s: float, r_outcome: Outcome
 ) -> void:
 	var taken: PackedFloat64Array = p_suit.headings.corrections()
-	var offs: PackedFloat64Array = []
-	var sum: float = 0.0
 	for sensor: int in BodyMounts.COUNT:
 		var drift: float = p_feed.heading(sensor, p_time_s) - p_feed.heading(sensor, 0.0)
-		var off: float = rad_to_deg(drift - taken[sensor])
-		offs.append(off)
-		sum += off
-		r_sums[3].add(absf(rad_to_deg(drift)))
-	for off: float in offs:
-		r_sums[0].add(absf(off))
-		r_sums[1].add(absf(off - sum / offs.size()))
-	r_sums[2].add(sum / offs.size())
+		r_outcome.off.add(absf(rad_to_deg(drift - taken[sensor])))
+		r_outcome.raw.add(absf(rad_to_deg(drift)))

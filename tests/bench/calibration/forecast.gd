@@ -5,7 +5,6 @@ extends "part.gd"
 ## Beside it the one number that is nearest to most wearers: all that can be said where the data
 ## tell nothing.
 
-const Person: GDScript = preload("person.gd")
 ## Poses of the whole clips are compared, each of which begins with somebody who stands: every so
 ## many seconds, nine of them.
 const _STEPS_S: Dictionary[String, float] = {
@@ -37,15 +36,11 @@ func _measure_kind(
 ) -> void:
 	var offs: PackedFloat64Array = PackedFloat64Array()
 	var errors: PackedFloat64Array = PackedFloat64Array()
-	var off: Statistics = Statistics.new()
 	var forecast: Statistics = Statistics.new()
 	var rounds: int = arguments.value("rounds")
 	for number: int in rounds:
 		var found: Vector2 = _calibrate(p_kind, _person(generator(number), p_common), p_poses)
-		if arguments.value("details"):
-			print("%d: %.2f deg, forecast %.2f" % [number, found.x, found.y])
 		forecast.add(found.y)
-		off.add(found.y - found.x)
 		offs.append(found.y - found.x)
 		errors.append(found.x)
 	var name: String = "forecast, %s" % CalibrationGuide.NAMES[p_kind]
@@ -57,8 +52,6 @@ func _measure_kind(
 	report.add(name, "within 2 deg, one number for all", _at_best(errors), "%")
 	report.add(name, "error", Person.mean(errors), "deg")
 	report.add(name, "error forecast", forecast.mean(), "deg")
-	report.add(name, "forecast off, p5", off.percentile(0.05), "deg")
-	report.add(name, "forecast off, p95", off.percentile(0.95), "deg")
 
 
 ## Calibrates; returns the error that there is, and its forecast, degrees.

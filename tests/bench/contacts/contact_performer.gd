@@ -2,8 +2,6 @@ class_name ContactPerformer
 extends RefCounted
 ## A body and a motion: the soldier, or the body that a motion file itself describes.
 
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
-
 ## What the report calls it.
 var name: String = ""
 ## The motion file.
@@ -66,11 +64,4 @@ func duration() -> float:
 
 
 func _make() -> Ragdoll:
-	if _is_soldier:
-		return (load(_SOLDIER) as PackedScene).instantiate()
-	var ragdoll: Ragdoll = Ragdoll.new()
-	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
-	ragdoll.add_child(skeleton)
-	ragdoll.profile = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.profile)
-	return ragdoll
+	return BenchBodies.soldier() if _is_soldier else BenchBodies.of_clip(source)

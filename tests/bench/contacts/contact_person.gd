@@ -150,14 +150,6 @@ func gap(p_bodies: Array[Transform3D]) -> float:
 	return largest
 
 
-## The highest speed of any body, m/s.
-func speed() -> float:
-	var highest: float = 0.0
-	for rid: RID in ragdoll.get_bodies():
-		highest = maxf(highest, _velocity(rid).length())
-	return highest
-
-
 ## Velocity of a limb's centre, m/s.
 func velocity_of(p_limb: int) -> Vector3:
 	return _velocity(ragdoll.get_bodies()[p_limb])
@@ -175,19 +167,17 @@ func energy() -> float:
 		)
 		linear.append(_velocity(rid))
 		angular.append(places[i].basis.inverse() * spin)
-	return _energy(linear, angular)
-
-
-## The same for a motion from one set of bodies to another within a time, s.
-func energy_between(
-	p_from: Array[Transform3D], p_to: Array[Transform3D], p_delta_s: float
-) -> float:
-	var linear: PackedVector3Array = PackedVector3Array()
-	var angular: PackedVector3Array = PackedVector3Array()
+	var mass: float = 0.0
+	var momentum: Vector3 = Vector3.ZERO
 	for i: int in count:
-		linear.append((p_to[i].origin - p_from[i].origin) / p_delta_s)
-		angular.append(turn_between(p_from[i].basis, p_to[i].basis) / p_delta_s)
-	return _energy(linear, angular)
+		mass += _masses[i]
+		momentum += linear[i] * _masses[i]
+	var common: Vector3 = momentum / mass
+	var sum: float = 0.0
+	for i: int in count:
+		sum += 0.5 * _masses[i] * (linear[i] - common).length_squared()
+		sum += 0.5 * _inertias[i].dot(angular[i] * angular[i])
+	return sum
 
 
 ## The rotation vector from one orientation to another, rad, in the first one's axes. Precise also
@@ -204,20 +194,6 @@ static func turn_between(p_from: Basis, p_to: Basis) -> Vector3:
 ## The angle between two orientations, degrees.
 static func angle_deg(p_from: Basis, p_to: Basis) -> float:
 	return rad_to_deg(turn_between(p_from, p_to).length())
-
-
-func _energy(p_linear: PackedVector3Array, p_angular: PackedVector3Array) -> float:
-	var mass: float = 0.0
-	var momentum: Vector3 = Vector3.ZERO
-	for i: int in count:
-		mass += _masses[i]
-		momentum += p_linear[i] * _masses[i]
-	var common: Vector3 = momentum / mass
-	var sum: float = 0.0
-	for i: int in count:
-		sum += 0.5 * _masses[i] * (p_linear[i] - common).length_squared()
-		sum += 0.5 * _inertias[i].dot(p_angular[i] * p_angular[i])
-	return sum
 
 
 func _velocity(p_body: RID) -> Vector3:

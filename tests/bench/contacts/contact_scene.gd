@@ -38,13 +38,3 @@ func end_world(p_world: ContactWorld) -> void:
 func name_case(p_scene: String, p_performer: ContactPerformer) -> String:
 	var mode: String = "held" if root == RagdollMotor.ROOT_HELD else "soft"
 	return "%s, %s, %s, %d Hz" % [p_scene, p_performer.name, mode, hz]
-
-
-## Reports the energy of a world, and where it tells of more than the stats of the scene: the
-## highest speed and the widest gap of a joint.
-func add_bounds(p_case: String, p_world: ContactWorld, p_all: bool) -> void:
-	if p_all:
-		report.add(p_case, "highest speed", p_world.highest_speed, "m/s")
-		report.add(p_case, "joint gap", p_world.widest_gap * 1000.0, "mm")
-	report.add(p_case, "energy", p_world.highest_energy, "J")
-	report.add(p_case, "energy of the motion", p_world.motion_energy, "J")

@@ -9,14 +9,8 @@ var people: Array[ContactPerson] = []
 var time_s: float = 0.0
 ## Length of a step, s.
 var delta_s: float = 1.0 / 60.0
-## Highest speed of any limb so far, m/s.
-var highest_speed: float = 0.0
 ## Widest gap of any joint so far, m.
 var widest_gap: float = 0.0
-## Highest internal kinetic energy of a person so far, J.
-var highest_energy: float = 0.0
-## The same of the motion that the person is to follow.
-var motion_energy: float = 0.0
 
 
 func _init(p_hz: int) -> void:
@@ -47,9 +41,7 @@ func add_block(p_size: Vector3, p_place: Transform3D, p_friction: float = 1.0) -
 	var block: StaticBody3D = StaticBody3D.new()
 	block.physics_material_override = _material(p_friction)
 	block.transform = p_place
-	var shape: BoxShape3D = BoxShape3D.new()
-	shape.size = p_size
-	_add(block, shape)
+	_add(block, BenchBodies.box(p_size))
 	return block
 
 
@@ -60,16 +52,12 @@ func add_floor(p_height: float) -> void:
 
 ## A free box, such as a crate.
 func add_crate(p_size: Vector3, p_place: Vector3, p_mass: float) -> RigidBody3D:
-	var shape: BoxShape3D = BoxShape3D.new()
-	shape.size = p_size
-	return _add_free(shape, p_place, p_mass)
+	return _add_free(BenchBodies.box(p_size), p_place, p_mass)
 
 
 ## A free ball.
 func add_ball(p_radius: float, p_place: Vector3, p_mass: float) -> RigidBody3D:
-	var shape: SphereShape3D = SphereShape3D.new()
-	shape.radius = p_radius
-	return _add_free(shape, p_place, p_mass)
+	return _add_free(BenchBodies.ball(p_radius), p_place, p_mass)
 
 
 ## Lets time pass; calls [param p_after], if given, after each step, and may return true to stop.
@@ -77,34 +65,21 @@ func run(p_seconds: float, p_after: Callable = Callable()) -> void:
 	if time_s == 0.0:
 		await get_tree().physics_frame
 	for _step: int in roundi(p_seconds / delta_s):
-		var before: Array[Array] = []
 		for person: ContactPerson in people:
 			var pose: PoseSample = person.pose.call(time_s)
 			var place: Vector3 = person.place.call(time_s)
-			before.append(person.targets(pose, place))
 			person.ragdoll.push_sample(time_s, pose, place)
 			person.ragdoll.drive(time_s, delta_s)
 		# The step follows this signal, and the next one follows the step.
 		await get_tree().physics_frame
 		time_s += delta_s
-		_watch(before)
+		for person: ContactPerson in people:
+			widest_gap = maxf(widest_gap, person.gap(person.bodies()))
 		if p_after.is_valid() and p_after.call():
 			return
 
 
-func _watch(p_before: Array[Array]) -> void:
-	for i: int in people.size():
-		var person: ContactPerson = people[i]
-		var wanted: Array[Transform3D] = []
-		wanted.assign(p_before[i])
-		var after: Array[Transform3D] = person.targets_at(time_s)
-		highest_speed = maxf(highest_speed, person.speed())
-		widest_gap = maxf(widest_gap, person.gap(person.bodies()))
-		highest_energy = maxf(highest_energy, person.energy())
-		motion_energy = maxf(motion_energy, person.energy_between(wanted, after, delta_s))
-
-
-func _add_free(p_shape: Shape3D, p_place: Vector3, p_mass: float) -> RigidBody3D:
+func _add_free(p_shape: CollisionShape3D, p_place: Vector3, p_mass: float) -> RigidBody3D:
 	var body: RigidBody3D = RigidBody3D.new()
 	body.mass = p_mass
 	body.position = p_place
@@ -116,10 +91,8 @@ func _add_free(p_shape: Shape3D, p_place: Vector3, p_mass: float) -> RigidBody3D
 	return body
 
 
-func _add(p_body: PhysicsBody3D, p_shape: Shape3D) -> void:
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	shape.shape = p_shape
-	p_body.add_child(shape)
+func _add(p_body: PhysicsBody3D, p_shape: CollisionShape3D) -> void:
+	p_body.add_child(p_shape)
 	add_child(p_body)
 
 

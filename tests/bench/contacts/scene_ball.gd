@@ -56,7 +56,6 @@ func _throw(p_performer: ContactPerformer, p_bone: StringName, p_strength: float
 	var recovery_s: float = minf(maxf(_late_s - _hit_s, 0.0), _WATCH_S)
 	report.at_most(case, "time until < 5 deg", recovery_s * 1000.0, "ms", _GOAL_MS, has)
 	report.add(case, "largest error", _worst_deg, "deg")
-	add_bounds(case, world, false)
 	await end_world(world)
 
 

@@ -55,7 +55,6 @@ func _hit(p_performer: ContactPerformer, p_bone: StringName, p_from: String) -> 
 	report.at_most(case, "trunk is back", _late_s * 1000.0, "ms", _GOAL_MS, is_trunk)
 	report.at_most(case, "worst limb", _worst_deg, "deg", _WORST_DEG)
 	report.at_least(case, "right limb", 1.0 if struck == limb else 0.0, "", 1.0)
-	add_bounds(case, world, false)
 	await end_world(world)
 
 

@@ -4,7 +4,7 @@ extends SceneTree
 ## Cases: "cave": three walls at right angles, stitched. "monitors": three in a row on monitors of
 ## their own. "seam": two projectors that overlap, warped and blended, their light added. "white":
 ## likewise of a white test picture, where all should be white. Options:
-## --case=NAME, --layout=FILE, --pictures=FOLDER.
+## --case=NAME, --layout=FILE.
 
 ## The light of two projectors may be compared there where both pictures are, and beyond.
 const GAMMA: float = 2.2
@@ -85,14 +85,7 @@ func _picture_of(
 	p_wide.camera.global_transform = _display.station() * Transform3D(frustum.basis, eye)
 	frustum.aim(p_wide.camera, _scene.camera.near, _scene.camera.far)
 	await WallScene.draw(3)
-	var image: Image = p_wide.get_texture().get_image()
-	_keep(image, "reference")
-	return image
-
-
-func _keep(p_image: Image, p_name: String) -> void:
-	if _option("pictures") != "":
-		p_image.save_png("%s/%s_%s.png" % [_option("pictures"), _option("case"), p_name])
+	return p_wide.get_texture().get_image()
 
 
 func _say(p_found: Dictionary) -> void:
@@ -102,7 +95,6 @@ func _say(p_found: Dictionary) -> void:
 
 ## A picture of 120 degrees and what the walls show along the same rays.
 func _compare_cave(p_panel: Image, p_wide: EyeView) -> void:
-	_keep(p_panel, "panel")
 	var size: Vector2i = Vector2i(900, 300)
 	var eye: Vector3 = _display.eye()
 	var half: Vector2 = Vector2(1.5, 0.5)
@@ -163,7 +155,6 @@ static func _difference(p_first: Color, p_second: Color) -> float:
 
 ## Screens in a row, each on its own monitor: one picture, pixel by pixel.
 func _compare_row(p_panel: Image, p_wide: EyeView) -> void:
-	_keep(p_panel, "panel")
 	var first: WallScreen = _display.layout.screens[0]
 	var last: WallScreen = _display.layout.screens[-1]
 	var size: Vector2i = Vector2i(last.position.x + last.size.x, first.size.y)
@@ -179,7 +170,6 @@ func _compare_row(p_panel: Image, p_wide: EyeView) -> void:
 
 ## Two projectors on one plane: their light is added along the wall, and compared with that of one.
 func _compare_seam(p_panel: Image, p_wide: EyeView) -> void:
-	_keep(p_panel, "panel")
 	var screens: Array[WallScreen] = _display.layout.screens
 	var low: Vector3 = screens[0].bottom_left
 	var right: Vector3 = screens[-1].bottom_right

@@ -62,14 +62,12 @@ def seam() -> str:
     return text
 
 
-def compare(
-    bench: Bench, case: str, layout: str, environment: dict[str, str], pictures: str = ""
-) -> dict[str, Any]:
+def compare(bench: Bench, case: str, layout: str, environment: dict[str, str]) -> dict[str, Any]:
     """What a case finds."""
     with tempfile.TemporaryDirectory(prefix="dismount-") as folder:
         file = Path(folder) / f"{case}.cfg"
         file.write_text(layout, encoding="utf-8")
-        options = [f"--case={case}", f"--layout={file}", f"--pictures={pictures}"]
+        options = [f"--case={case}", f"--layout={file}"]
         return run_script(bench, "wall_pictures.gd", options, environment)[-1]
 
 

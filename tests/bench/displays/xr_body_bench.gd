@@ -14,9 +14,7 @@ const _ON_GROUND_M: float = 0.03
 const _IN_AIR: float = 0.03
 const _ON_FEET: float = 0.5
 
-var _offs: Dictionary[String, Statistics] = {}
 var _slides: Statistics = Statistics.new()
-var _costs: Statistics = Statistics.new()
 var _beyond: int = 0
 var _last: PackedVector3Array = [Vector3.INF, Vector3.INF]
 
@@ -34,11 +32,9 @@ func measure() -> void:
 		scene.rate = option("rate")
 		_follow(scene, roundi(option("seconds") * scene.rate))
 		_report("%s, headset and hands alone" % clip.get_file())
-	report.add("a sample", "cost of a body, p50", _costs.percentile(0.5), "us")
 
 
 func _follow(p_scene: Scene, p_steps: int) -> void:
-	_offs = {"hips": Statistics.new(), "elbows": Statistics.new(), "feet": Statistics.new()}
 	_slides = Statistics.new()
 	_beyond = 0
 	_last.fill(Vector3.INF)
@@ -47,20 +43,10 @@ func _follow(p_scene: Scene, p_steps: int) -> void:
 	for _step: int in p_steps:
 		p_scene.advance()
 		source.push(p_scene.frame)
-		var begin: int = Time.get_ticks_usec()
 		var sample: PoseSample = source.sample(p_scene.now_usec())
-		_costs.add(Time.get_ticks_usec() - begin)
 		figure.solve(sample)
-		_note(p_scene, figure, "hips", [Limbs.HIPS])
-		_note(p_scene, figure, "elbows", [Limbs.LEFT_LOWER_ARM, Limbs.RIGHT_LOWER_ARM])
-		_note(p_scene, figure, "feet", Limbs.FEET)
 		_note_slides(figure, p_scene.rate)
 		_beyond += _count_beyond(sample)
-
-
-func _note(p_scene: Scene, p_figure: BodySegments, p_part: String, p_limbs: Array) -> void:
-	for limb: int in p_limbs:
-		_offs[p_part].add(p_figure.bases[limb].distance_to(p_scene.figure.bases[limb]) * 100.0)
 
 
 func _note_slides(p_figure: BodySegments, p_rate: float) -> void:
@@ -89,9 +75,6 @@ static func _count_beyond(p_sample: PoseSample) -> int:
 
 
 func _report(p_case: String) -> void:
-	for part: String in _offs:
-		report.add(p_case, "%s off, p50" % part, _offs[part].percentile(0.5), "cm")
-		report.add(p_case, "%s off, p95" % part, _offs[part].percentile(0.95), "cm")
 	report.at_most(p_case, "joints beyond their range", _beyond, "", 0.0)
 	if _slides.count() > 0:
 		var slide: float = _slides.percentile(0.95)

@@ -23,14 +23,11 @@ const _CRATES: int = 24
 const _DROP_EVERY_S: float = 2.0
 const _DROP_M: float = 2.3
 const _CRATE: PackedScene = preload("res://scenes/world/props/crate.tscn")
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
 
 ## Who takes part.
 var people: Array[ContactPerson] = []
 ## What drops on them.
 var crates: Array[RigidBody3D] = []
-## How often the energy guards had to act, ticks.
-var guarded: int = 0
 
 var _boxing: BvhSource = null
 var _motors: Array[RagdollMotor] = []
@@ -42,23 +39,18 @@ var _dropped: int = 0
 ## Adds everybody; has to be in the tree.
 func begin(p_people: int, p_root: RagdollMotor.RootMode, p_boxing: BvhSource) -> void:
 	_boxing = p_boxing
-	var ground: Block = Block.new()
-	ground.size = Vector3(60.0, 1.0, 60.0)
-	ground.position.y = -0.5
-	add_child(ground)
+	add_child(BenchBodies.ground())
 	for i: int in _CRATES:
 		var crate: RigidBody3D = _CRATE.instantiate()
 		crate.position = _place(i % p_people) + Vector3(1.0, 0.25 + 0.5 * (i / p_people), 0.0)
 		add_child(crate)
 		crates.append(crate)
 	for i: int in p_people:
-		var ragdoll: Ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-		ragdoll.root_mode = p_root
+		var ragdoll: Ragdoll = BenchBodies.soldier(p_root)
 		add_child(ragdoll)
 		ragdoll.start()
 		var turn: Basis = Basis(Vector3.UP, PI * (i % 2))
 		ragdoll.motor.set_frame(Transform3D(turn, _place(i)))
-		ragdoll.motor.guard_acted.connect(func(_actions: int) -> void: guarded += 1)
 		people.append(ContactPerson.new(ragdoll))
 		_motors.append(ragdoll.motor)
 	_times.resize(p_people)

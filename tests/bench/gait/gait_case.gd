@@ -1,10 +1,9 @@
 extends RefCounted
-## What the cases of the gait benchmark have in common: a world of their own, a body in it, and
-## how it is
-## measured.
+## What the cases of the gait benchmark have in common: a world of their own, a body in it, and how
+## it is measured.
 
 const Walker: GDScript = preload("walker.gd")
-const _SOLDIER: String = "res://scenes/actor/soldier.tscn"
+const Stats: GDScript = preload("gait_stats.gd")
 ## What people can stand on: the world and props.
 const _GROUND_MASK: int = 5
 const _CRATE_LAYER: int = 4
@@ -34,8 +33,7 @@ func _init(p_tree: SceneTree, p_report: BenchReport, p_seed: int) -> void:
 func begin() -> void:
 	world = Node3D.new()
 	_tree.root.add_child(world)
-	ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	ragdoll.root_mode = root_mode
+	ragdoll = BenchBodies.soldier(root_mode)
 	time_s = 0.0
 
 
@@ -90,8 +88,7 @@ func add_bumps(p_amplitude: float) -> void:
 		for x: int in 65:
 			heights.append(p_amplitude * sin(x * TAU / 6.0) * sin(z * TAU / 6.0))
 	shape.map_data = heights
-	var owner: CollisionShape3D = CollisionShape3D.new()
-	owner.shape = shape
+	var owner: CollisionShape3D = BenchBodies.collision(shape)
 	# Half a metre a cell: waves of 3 m.
 	owner.scale = Vector3(0.5, 1.0, 0.5)
 	owner.position = Vector3(0.0, 0.0, 12.0)
@@ -101,16 +98,12 @@ func add_bumps(p_amplitude: float) -> void:
 
 
 func add_crate(p_size: Vector3, p_place: Vector3, p_mass: float) -> RigidBody3D:
-	var shape: BoxShape3D = BoxShape3D.new()
-	shape.size = p_size
-	var owner: CollisionShape3D = CollisionShape3D.new()
-	owner.shape = shape
 	var crate: RigidBody3D = RigidBody3D.new()
 	crate.mass = p_mass
 	crate.collision_layer = _CRATE_LAYER
 	crate.collision_mask = 0xFFFFFFFF
 	crate.position = p_place
-	crate.add_child(owner)
+	crate.add_child(BenchBodies.box(p_size))
 	world.add_child(crate)
 	return crate
 
@@ -172,6 +165,23 @@ static func ball_of(p_ragdoll: Ragdoll, p_side: int) -> Vector3:
 	var ball: Vector3 = (foot.contact_points[1] + foot.contact_points[2]) / 2.0
 	var local: Vector3 = foot.rest_orientation.inverse() * (ball - foot.anchor)
 	return point_of(p_ragdoll, p_ragdoll.profile.limbs.find(foot), local)
+
+
+## Whether what this root mode does is measured against goals.
+func has_goals() -> bool:
+	return root_mode == RagdollMotor.ROOT_INERTIAL
+
+
+## Notes how fast balls of feet move that stand still in truth; where they were before is kept.
+func note_skate(
+	p_walker: Walker, p_time_s: float, p_stats: Stats, r_before: Dictionary[int, Vector3]
+) -> void:
+	for side: int in [-1, 1]:
+		var ball: Vector3 = ball_of(ragdoll, side)
+		if r_before.has(side) and p_walker.is_standing(side, p_time_s):
+			var moved: Vector3 = ball - r_before[side]
+			p_stats.skate.add(Vector2(moved.x, moved.z).length() * Engine.physics_ticks_per_second)
+		r_before[side] = ball
 
 
 ## Turns every limb of a pose at random, by a standard deviation in degrees.

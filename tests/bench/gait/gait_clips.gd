@@ -2,7 +2,6 @@ extends "gait_case.gd"
 ## Motion files, whose own hips are the truth: runs, dances, crawling, lying, getting up, sitting,
 ## jumps.
 
-const Stats: GDScript = preload("gait_stats.gd")
 const Truth: GDScript = preload("gait_truth.gd")
 ## Clips shorter than this hold no way that could be measured, s.
 const _SHORTEST_S: float = 1.0
@@ -11,10 +10,6 @@ const _SHARE: float = 0.08
 const _LEAST: float = 0.15
 
 var files: PackedStringArray = []
-## Noise of every limb, degrees.
-var noise_deg: float = 0.0
-## Of the ground, rad.
-var slope: float = 0.0
 
 var _within: int = 0
 var _count: int = 0
@@ -34,34 +29,15 @@ func run() -> void:
 		return
 	var title: String = "%s: all clips" % root_name
 	report.add(title, "clips", _count, "")
-	report.at_least(
-		title,
-		"within 8 % or 0.15 m",
-		_within,
-		"clips",
-		_count,
-		root_mode == RagdollMotor.ROOT_INERTIAL
-	)
+	report.at_least(title, "within 8 % or 0.15 m", _within, "clips", _count, has_goals())
 	report.add(title, "of them climb what is not there", _climbing, "")
 	report.add(title, "of those within", _climbing_within, "")
 	if _flights > 0:
 		report.add(title, "flights in truth", _flights, "")
-		report.at_least(
-			title,
-			"flights found",
-			100.0 * _found / _flights,
-			"%",
-			90.0,
-			root_mode == RagdollMotor.ROOT_INERTIAL
-		)
-	report.at_most(
-		title,
-		"flights invented",
-		_invented / maxf(_minutes, 0.01),
-		"1/min",
-		1.0,
-		root_mode == RagdollMotor.ROOT_INERTIAL
-	)
+		var share: float = 100.0 * _found / _flights
+		report.at_least(title, "flights found", share, "%", 90.0, has_goals())
+	var invented: float = _invented / maxf(_minutes, 0.01)
+	report.at_most(title, "flights invented", invented, "1/min", 1.0, has_goals())
 
 
 func _run_clip(p_file: String) -> void:
@@ -74,16 +50,8 @@ func _run_clip(p_file: String) -> void:
 		return
 	begin()
 	ragdoll.free()
-	ragdoll = Ragdoll.new()
-	var skeleton: Skeleton3D = BvhSkeleton.make(source.rig)
-	ragdoll.add_child(skeleton)
-	ragdoll.profile = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.profile)
-	ragdoll.root_mode = root_mode
-	if slope == 0.0:
-		Walker.new(ragdoll.profile).build_ground(world)
-	else:
-		add_floor(slope)
+	ragdoll = BenchBodies.of_clip(source, root_mode)
+	Walker.new(ragdoll.profile).build_ground(world)
 	world.add_child(ragdoll)
 	if ragdoll.start():
 		_add(p_file, await _play(source))
@@ -108,7 +76,6 @@ func _play(p_source: BvhSource) -> Stats:
 			stats.add_root(root_of(ragdoll), sample.root)
 			stats.add_flight(truth.flies[tick], ragdoll.motor.is_flying())
 			before = _note_soles(truth, tick, before, stats)
-		add_noise(sample, noise_deg, random)
 		ragdoll.push_sample(time_s, sample, told)
 		ragdoll.drive(time_s, delta)
 		time_s += delta
@@ -142,9 +109,7 @@ func _add(p_file: String, p_stats: Stats) -> void:
 	var title: String = "%s: %s" % [root_name, p_file.get_file()]
 	report.add(title, "way", p_stats.way, "m")
 	var most: float = maxf(_SHARE * p_stats.way, _LEAST)
-	report.at_most(
-		title, "max travel error", p_stats.worst, "m", most, root_mode == RagdollMotor.ROOT_INERTIAL
-	)
+	report.at_most(title, "max travel error", p_stats.worst, "m", most, has_goals())
 	report.add(title, "the same, of the way", p_stats.travel_percent(), "%")
 	report.add(title, "body height error", 1000.0 * p_stats.height.mean(), "mm")
 	report.add(title, "stance-foot skate", 100.0 * p_stats.skate.mean(), "cm/s")

@@ -44,8 +44,7 @@ func build(p_world: Node3D, p_offset: Vector3) -> void:
 	world = Node3D.new()
 	world.position = p_offset
 	p_world.add_child(world)
-	ragdoll = (load(_SOLDIER) as PackedScene).instantiate()
-	ragdoll.root_mode = root_mode
+	ragdoll = BenchBodies.soldier(root_mode)
 	var rise: float = _add_ground()
 	_strew_crates(rise)
 	_choose_motion()

@@ -33,7 +33,7 @@ func run() -> void:
 		await _run_batch(first_seed + done, many)
 		done += many
 	var title: String = "%s: random scenes" % root_name
-	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
+	var has: bool = has_goals()
 	report.add(title, "scenes", count, "")
 	report.at_most(title, "target from the body, max", _farthest, "m", _TARGET, has)
 	report.at_most(title, "scenes where it was further", _far, "", 0.0, has)

@@ -2,7 +2,6 @@ extends "gait_case.gd"
 ## A level walk on ground that is not: slopes, hills and hollows. The wearer's own floor is level,
 ## so his pose says nothing of them.
 
-const Stats: GDScript = preload("gait_stats.gd")
 const _ANGLES_DEG: Array[float] = [-20.0, -10.0, -5.0, 5.0, 10.0, 20.0]
 const _BUMP: float = 0.1
 
@@ -25,15 +24,14 @@ func _walk(p_title: String) -> void:
 	enter()
 	var stats: Stats = Stats.new()
 	var before: Dictionary[int, Vector3] = {}
-	var delta: float = 1.0 / Engine.physics_ticks_per_second
 	_highest = 0.0
 	while time_s < walker.duration:
 		var pose: PoseSample = walker.pose_at(time_s)
 		if time_s > 0.5:
-			_note(walker, pose, stats, before, delta)
+			_note(walker, pose, stats, before)
 		await step(pose, walker.pose_at(0.0).root)
 	report.add(p_title, "way", stats.way, "m")
-	var has: bool = root_mode == RagdollMotor.ROOT_INERTIAL
+	var has: bool = has_goals()
 	report.at_most(p_title, "max travel error", stats.travel_percent(), "%", 4.0, has)
 	report.at_most(p_title, "stance-foot skate", 100.0 * stats.skate.mean(), "cm/s", 3.0, has)
 	report.at_most(p_title, "hips above their height", _highest, "m", 0.2, has)
@@ -41,20 +39,11 @@ func _walk(p_title: String) -> void:
 
 
 func _note(
-	p_walker: Walker,
-	p_pose: PoseSample,
-	p_stats: Stats,
-	r_before: Dictionary[int, Vector3],
-	p_delta: float
+	p_walker: Walker, p_pose: PoseSample, p_stats: Stats, r_before: Dictionary[int, Vector3]
 ) -> void:
 	var root: Vector3 = root_of(ragdoll)
 	p_stats.add_root(root, p_pose.root)
 	var ground: float = ground_under(root)
 	if is_finite(ground):
 		_highest = maxf(_highest, root.y - ground - p_pose.root.y)
-	for side: int in [-1, 1]:
-		var ball: Vector3 = ball_of(ragdoll, side)
-		if r_before.has(side) and p_walker.is_standing(side, time_s):
-			var moved: Vector3 = ball - r_before[side]
-			p_stats.skate.add(Vector2(moved.x, moved.z).length() / p_delta)
-		r_before[side] = ball
+	note_skate(p_walker, time_s, p_stats, r_before)

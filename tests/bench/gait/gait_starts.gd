@@ -38,7 +38,7 @@ func _run_starts() -> void:
 			await end()
 	var title: String = "%s: start in %d poses" % [root_name, Poses.POSES.size()]
 	_add_share(title, good, count)
-	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, _has_goals())
+	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, has_goals())
 	for line: String in failed:
 		printerr("%s: %s" % [title, line])
 
@@ -71,7 +71,7 @@ func _run_limp() -> void:
 			crate.queue_free()
 			crate = null
 	_add_share(title, good, _CYCLES)
-	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, _has_goals())
+	report.at_most(title, "target from the body, max", _farthest, "m", 0.3, has_goals())
 	await end()
 
 
@@ -106,11 +106,7 @@ func _state() -> String:
 	)
 
 
-func _has_goals() -> bool:
-	return root_mode == RagdollMotor.ROOT_INERTIAL
-
-
 func _add_share(p_title: String, p_good: int, p_count: int) -> void:
 	report.add(p_title, "cases", p_count, "")
 	var share: float = 100.0 * p_good / p_count
-	report.at_least(p_title, "on the ground within 3 s", share, "%", 100.0, _has_goals())
+	report.at_least(p_title, "on the ground within 3 s", share, "%", 100.0, has_goals())

@@ -28,14 +28,7 @@ var _clip_s: float = 0.0
 var _performer: ContactPerformer = null
 var _deepest: float = 0.0
 var _tunnelled: int = 0
-var _lean: float = 0.0
-var _prints: bool = false
 var _must_come_back: bool = false
-
-
-## [param p_prints]: which limb gets deeper than before, as it goes.
-func _init(p_prints: bool) -> void:
-	_prints = p_prints
 
 
 ## Runs one clip against one of [constant GroundObstacles.KINDS]. [param p_side] is the direction of
@@ -70,7 +63,6 @@ func run(
 func tell(p_report: BenchReport, p_case: String) -> void:
 	p_report.at_most(p_case, "deepest limb", 1000.0 * maxf(_deepest, 0.0), "mm", _DEEPEST)
 	p_report.at_most(p_case, "limbs that got through", _tunnelled, "", 0.0)
-	p_report.add(p_case, "hips lean at most", _lean, "deg")
 	var bodies: Array[Transform3D] = _person.bodies()
 	var wanted: Array[Transform3D] = _person.targets_at(_world.time_s)
 	var off: Vector3 = _person.joint(0, bodies) - _person.joint(0, wanted)
@@ -80,15 +72,9 @@ func tell(p_report: BenchReport, p_case: String) -> void:
 
 func _note() -> bool:
 	var bodies: Array[Transform3D] = _person.bodies()
-	var depth: float = _obstacles.depth(_person, bodies)
-	if _prints and depth > maxf(_deepest, 0.01):
-		var bone: StringName = _person.shape_of(_obstacles.deepest_limb).bone
-		print("%.2f s: %s %.0f mm" % [_world.time_s, bone, 1000.0 * depth])
-	_deepest = maxf(_deepest, depth)
+	_deepest = maxf(_deepest, _obstacles.depth(_person, bodies))
 	if _world.time_s > _BEGIN_S:
 		_tunnelled = maxi(_tunnelled, _obstacles.tunnelled(_person, bodies))
-	var wanted: Array[Transform3D] = _person.targets_at(_world.time_s)
-	_lean = maxf(_lean, ContactPerson.angle_deg(bodies[0].basis, wanted[0].basis))
 	_obstacles.advance(_person.joint(0, bodies), _world.delta_s)
 	return false
 

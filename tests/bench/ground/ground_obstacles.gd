@@ -13,9 +13,6 @@ const _FAR: float = 8.0
 const _PILL_POINTS: int = 7
 const _BOX_POINTS: int = 4
 
-## The limb that [method depth] found deepest.
-var deepest_limb: int = 0
-
 var _bodies: Array[Node3D] = []
 var _sizes: Array[Vector3] = []
 var _leaf: AnimatableBody3D = null
@@ -71,9 +68,7 @@ func depth(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> float:
 		var back: Transform3D = _bodies[i].global_transform.affine_inverse()
 		for limb: int in p_person.count:
 			if _outside(back * p_bodies[limb].origin, _sizes[i]) < 0.6:
-				var deep: float = _limb_depth(p_person, limb, back * p_bodies[limb], i)
-				deepest_limb = limb if deep > deepest else deepest_limb
-				deepest = maxf(deepest, deep)
+				deepest = maxf(deepest, _limb_depth(p_person, limb, back * p_bodies[limb], i))
 	return deepest
 
 
@@ -132,14 +127,11 @@ func _add_leaf(p_world: ContactWorld, p_at: Transform3D) -> void:
 	_leaf.sync_to_physics = false
 	_leaf.transform = p_at
 	_leaf.collision_layer = PhysicsLayers.STATIC
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = Vector3(_GAP, 4.0, _THICKNESS)
-	shape.shape = box
-	_leaf.add_child(shape)
+	var size: Vector3 = Vector3(_GAP, 4.0, _THICKNESS)
+	_leaf.add_child(BenchBodies.box(size))
 	p_world.add_child(_leaf)
 	_bodies.append(_leaf)
-	_sizes.append(box.size)
+	_sizes.append(size)
 
 
 ## Distance of a point from a box about the origin, m; below 0 inside.

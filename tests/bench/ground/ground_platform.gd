@@ -30,11 +30,7 @@ func _init(p_world: ContactWorld, p_person: ContactPerson, p_kind: String) -> vo
 	_platform.sync_to_physics = false
 	_platform.position.y = -0.25
 	_platform.collision_layer = PhysicsLayers.STATIC
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = Vector3(20.0, 0.5, 40.0)
-	shape.shape = box
-	_platform.add_child(shape)
+	_platform.add_child(BenchBodies.box(Vector3(20.0, 0.5, 40.0)))
 	p_world.add_child(_platform)
 
 

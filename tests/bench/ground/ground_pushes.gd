@@ -14,16 +14,14 @@ const _BEGIN_S: float = 1.5
 const _WATCH_S: float = 6.0
 
 var _report: BenchReport = null
-var _prints: bool = false
 var _far: float = 0.0
 var _upright_s: float = INF
 var _falls: int = 0
 var _phase: int = 0
 
 
-func _init(p_report: BenchReport, p_prints: bool) -> void:
+func _init(p_report: BenchReport) -> void:
 	_report = p_report
-	_prints = p_prints
 
 
 ## Pushes somebody who stands in [param p_run].
@@ -54,11 +52,6 @@ func _watch(p_run: GroundRun, p_chest: int, p_start: Vector3, p_direction: Vecto
 		_upright_s = INF
 	elif is_inf(_upright_s):
 		_upright_s = p_run.world.time_s - _BEGIN_S
-	if _prints and roundi(p_run.world.time_s / p_run.world.delta_s) % 6 == 0:
-		var line: String = "%.2f s: phase %d, hips %.2f m, error %.1f deg, chest %.2f m, %s"
-		print(
-			line % [p_run.world.time_s, phase, p_run.heights[-1], p_run.errors[-1], moved, balance]
-		)
 	return false
 
 

@@ -12,8 +12,6 @@ var residual: PackedFloat64Array = []
 ## Mean error of all limbs, and of those above the legs, deg.
 var errors: PackedFloat64Array = []
 var upper: PackedFloat64Array = []
-## Horizontal distance of the hips from where the motion has them, m.
-var drifts: PackedFloat64Array = []
 ## Height of the hips over the floor, and where the motion has them, m.
 var heights: PackedFloat64Array = []
 var wanted_heights: PackedFloat64Array = []
@@ -69,8 +67,6 @@ func note() -> bool:
 		jitter.append(turned / person.count / world.delta_s)
 	_bodies_before = bodies
 	upper.append(above / UPPER)
-	var off: Vector3 = person.joint(0, bodies) - person.joint(0, wanted)
-	drifts.append(Vector2(off.x, off.z).length())
 	heights.append(person.joint(0, bodies).y)
 	wanted_heights.append(person.joint(0, wanted).y)
 	return false
@@ -82,14 +78,6 @@ func weight() -> float:
 	for limb: int in person.count:
 		mass += person.mass_of(limb)
 	return mass * 9.81
-
-
-## How far the hips were below where the motion has them at most, m.
-func lowest() -> float:
-	var low: float = 0.0
-	for i: int in heights.size():
-		low = maxf(low, wanted_heights[i] - heights[i])
-	return low
 
 
 func _momentum() -> Vector3:

@@ -29,10 +29,6 @@ class Person:
 	var phase: int = 0
 	## When the end was reached, s; INF: not at all.
 	var arrived_s: float = INF
-	## Furthest along the way so far, m, and what was near there.
-	var along: float = -INF
-	var near: PackedStringArray = []
-	var height: float = 0.0
 
 
 var _tree: SceneTree = null
@@ -40,7 +36,6 @@ var _report: BenchReport = null
 var _hz: int = 60
 var _root: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
 var _performer: ContactPerformer = null
-var _prints: bool = false
 
 
 func _init(
@@ -57,10 +52,8 @@ func _init(
 	_performer = p_performer
 
 
-## Walks all ways of a kind through a world's houses. [param p_prints]: who is where and near what
-## in each second.
-func run(p_world: String, p_kind: String, p_prints: bool) -> void:
-	_prints = p_prints
+## Walks all ways of a kind through a world's houses.
+func run(p_world: String, p_kind: String) -> void:
 	var level: Level = LevelStore.instantiate(p_world)
 	if level == null:
 		_report.leave_out(p_world, LevelStore.describe_missing(p_world))
@@ -123,22 +116,12 @@ func _note(p_world: ContactWorld, p_people: Array[Person], p_begin_s: float) -> 
 		var hips: Vector3 = person.body.joint(0, person.body.bodies())
 		_see(person, hips, now_s)
 		is_done = is_done and not is_inf(person.arrived_s)
-		if _prints and roundi(now_s * _hz) % _hz == 0:
-			var own: Vector3 = person.way.start.affine_inverse() * hips
-			var line: String = "%.1f s %s: hips at %.2v, falls %d, near %s"
-			var near: String = ", ".join(_find_near(person, hips))
-			print(line % [now_s, person.way.name, own, person.falls, near])
 	return is_done
 
 
 func _see(p_person: Person, p_hips: Vector3, p_now_s: float) -> void:
-	var along: float = (p_person.way.start.affine_inverse() * p_hips).z
 	var stands: float = (p_person.walker.call(&"pose_at", 0.0) as PoseSample).root.y
 	var off: Vector3 = p_hips - p_person.way.end - Vector3.UP * stands
-	if along > p_person.along:
-		p_person.along = along
-		p_person.height = p_hips.y - stands - p_person.way.start.origin.y
-		p_person.near = _find_near(p_person, p_hips)
 	if Vector2(off.x, off.z).length() <= NEAR_M and absf(off.y) <= LEVEL_M:
 		p_person.arrived_s = minf(p_person.arrived_s, p_now_s)
 
@@ -153,34 +136,16 @@ func _tell(p_kind: String, p_people: Array[Person]) -> void:
 			arrived += 1
 			var pose: PoseSample = person.walker.call(&"pose_at", person.arrived_s)
 			walked += (pose.root.z + NEAR_M) / person.way.length
-		if not is_inf(person.arrived_s) and person.falls == 0:
-			continue
-		var near: String = ", ".join(person.near)
-		var case: String = "%s (at its furthest near %s)" % [person.way.name, near]
-		_report.add(case, "came along", person.along, "m")
-		_report.add(case, "was higher there", person.height, "m")
-		_report.add(case, "falls", person.falls, "")
+		if is_inf(person.arrived_s) or person.falls > 0:
+			printerr(
+				(
+					"%s: falls %d, arrives after %.1f s"
+					% [person.way.name, person.falls, person.arrived_s]
+				)
+			)
 	var share: float = 100.0 * arrived / maxi(p_people.size(), 1)
 	_report.at_least(p_kind, "ways", p_people.size(), "", 15.0)
 	_report.at_least(p_kind, "come through", share, "%", 100.0)
 	_report.at_most(p_kind, "falls", falls, "", 0.0)
 	var more: float = 100.0 * walked / maxi(arrived, 1)
 	_report.add(p_kind, "wearers walk for it, mean", more, "% of the way")
-
-
-## What is within reach around a person's hips and knees: nodes and the numbers of their shapes.
-func _find_near(p_person: Person, p_hips: Vector3) -> PackedStringArray:
-	var names: PackedStringArray = []
-	var shape: CylinderShape3D = CylinderShape3D.new()
-	shape.radius = 0.4
-	shape.height = 1.5
-	var query: PhysicsShapeQueryParameters3D = PhysicsShapeQueryParameters3D.new()
-	query.shape = shape
-	query.transform.origin = p_hips
-	query.collision_mask = PhysicsLayers.STATIC | PhysicsLayers.PROPS
-	var space: PhysicsDirectSpaceState3D = p_person.body.ragdoll.get_world_3d().direct_space_state
-	for hit: Dictionary in space.intersect_shape(query):
-		var label: String = "%s:%d" % [(hit["collider"] as Node).name, hit["shape"]]
-		if not names.has(label):
-			names.append(label)
-	return names

@@ -2,14 +2,16 @@ extends RefCounted
 ## A client that joins, has people, moves them a little and acknowledges what comes, with as little
 ## work as possible: what is measured is the server.
 
-## Samples a second.
-const RATE: float = 10.0
+## Where who watches is, m.
+const EYE: Vector3 = Vector3(0.0, 1.6, 4.0)
 ## Time between two attempts to join, s.
 const RETRY_S: float = 0.5
 
 ## Messages about the table are decoded once for all.
 static var tables: SharedTables = SharedTables.new()
 
+## Samples a second.
+var rate: int = 10
 ## How often it has joined.
 var joins: int = 0
 ## Snapshots of use.
@@ -29,7 +31,7 @@ var _replica: LoadReplica = LoadReplica.new(tables)
 var _writer: SampleWriter = SampleWriter.new()
 var _port: int = 0
 var _sample: int = 0
-var _sent_usec: int = 0
+var _due_usec: int = 0
 var _arrival_usec: int = 0
 var _retry_usec: int = 0
 
@@ -101,32 +103,46 @@ func begin_counting() -> void:
 ## Takes what has come, and sends what is due.
 func poll() -> void:
 	_link.poll()
-	if _retry_usec > 0 and _now() > _retry_usec:
+	var now: int = _now()
+	if _retry_usec > 0 and now > _retry_usec:
 		open()
 	if not _link.is_joined():
 		return
-	var ack: PackedByteArray = _replica.acknowledgement(_now(), Vector3(0.0, 1.6, 4.0))
-	if not ack.is_empty():
+	var ack: PackedByteArray = _replica.acknowledgement(now, EYE)
+	if not ack.is_empty() and not _rides_along(ack):
 		_link.send_fast(ack)
-	if not heights.is_empty() and _now() - _sent_usec > int(1e6 / RATE):
-		_sent_usec = _now()
-		_send()
+	if heights.is_empty() or now < _due_usec:
+		return
+	# A sample that is late does not make the next ones late.
+	_due_usec = maxi(_due_usec + 1000000 / rate, now - 1000000 / rate)
+	_send()
+
+
+## Whether an acknowledgement leaves with the next samples.
+func _rides_along(_ack: PackedByteArray) -> bool:
+	return false
 
 
 func _send() -> void:
 	_sample += 1
 	var samples: Array[PoseSample] = []
 	for index: int in heights.size():
-		var pose: PoseSample = PoseSample.new()
-		for limb: int in Limbs.COUNT:
-			pose.set_orientation(limb, Quaternion.IDENTITY)
+		var pose: PoseSample = _pose(index)
 		pose.id = _sample
 		pose.person = index
 		pose.time_usec = 1780000000000000 + _now()
-		pose.root = Vector3(0.05 * sin(_sample * 0.2), heights[index], 0.0)
 		samples.append(pose)
 	for bytes: PackedByteArray in _writer.write(samples):
 		_link.send_fast(bytes)
+
+
+## What one of the people does.
+func _pose(p_person: int) -> PoseSample:
+	var pose: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		pose.set_orientation(limb, Quaternion.IDENTITY)
+	pose.root = Vector3(0.05 * sin(_sample * 0.2), heights[p_person], 0.0)
+	return pose
 
 
 func _on_lost(_why: String) -> void:

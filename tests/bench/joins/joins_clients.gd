@@ -1,14 +1,16 @@
 extends SceneTree
-## The clients of [code]./run bench joins[/code]: started by bench_joins.py, never by itself.
+## The clients of [code]./run bench joins[/code] and [code]moving[/code]: never started by itself.
 ##
 ## It prints a line of JSON a second. --plan=join: all join at once and stay. --plan=churn: each
 ## joins, stays for a second, leaves, and so on. --plan=lists: they send lists of people of other
 ## sizes 60 times a second. --plan=single: they join one after the other, a second apart.
 ## --plan=hostile: one of --role=NAME sends all sorts of valid messages, by the seed --seed.
-## --plan=levels: an instructor asks for another level 20 times a second. With --begin=FILE all
-## wait until that file is there.
+## --plan=levels: an instructor asks for another level 20 times a second. --plan=move: as join, and
+## people move by a clip, beside --observers=N. With --begin=FILE all wait until that file is there.
 
 const JoinClient: GDScript = preload("join_client.gd")
+const MovingClient: GDScript = preload("../moving/moving_client.gd")
+const CLIP: String = "res://assets/motion/01_01.bvh"
 const HostileClient: GDScript = preload("res://tests/server/hostile_client.gd")
 const STAY_S: float = 1.0
 
@@ -21,6 +23,7 @@ var _next: int = 0
 var _listed_usec: int = 0
 var _lists: int = 0
 var _second: int = 0
+var _frames: int = 0
 var _stop: StopSignal = StopSignal.new()
 
 
@@ -34,6 +37,7 @@ func _initialize() -> void:
 				"port": 7777,
 				"clients": 1,
 				"people": 0,
+				"observers": 0,
 				"seconds": 10.0,
 				"begin": "",
 				"seed": 1,
@@ -42,20 +46,23 @@ func _initialize() -> void:
 		)
 	)
 	PhysicsServer3D.set_active(false)
-	Engine.max_fps = 120
+	# Each client is polled in each frame.
+	Engine.max_fps = 60 if _moves() else 120
 	_stop.watch()
+	var fault: String = MovingClient.prepare(CLIP) if _moves() else ""
+	if fault != "":
+		Log.error("bench", fault)
+		quit(1)
+		return
+	for number: int in _arguments.value("observers"):
+		_add("observer %d" % number, [])
 	for number: int in _arguments.value("clients"):
-		_clients.append(
-			JoinClient.new(
-				"%s %d" % [_arguments.value("plan"), number],
-				_arguments.value("port"),
-				_heights(number)
-			)
-		)
+		_add("%s %d" % [_arguments.value("plan"), number], _heights(number))
 	_began_usec = Time.get_ticks_usec()
 
 
 func _process(_p_delta: float) -> bool:
+	_frames += 1
 	var now: int = Time.get_ticks_usec()
 	if not FileAccess.file_exists(_arguments.value("begin")) and _arguments.value("begin") != "":
 		_began_usec = now
@@ -88,10 +95,23 @@ func _process(_p_delta: float) -> bool:
 	return false
 
 
+func _moves() -> bool:
+	return _arguments.value("plan") == "move"
+
+
+func _add(p_name: String, p_heights: PackedFloat32Array) -> void:
+	var kind: GDScript = MovingClient if _moves() else JoinClient
+	var client: JoinClient = kind.new(p_name, _arguments.value("port"), p_heights)
+	if _moves():
+		(client as MovingClient).first = _clients.size() * p_heights.size()
+		(client as MovingClient).save_work()
+	_clients.append(client)
+
+
 func _heights(p_number: int) -> PackedFloat32Array:
 	var heights: PackedFloat32Array = []
 	for person: int in _arguments.value("people"):
-		heights.append(0.8 + 0.02 * ((p_number * 8 + person) % 17))
+		heights.append(0.8 + 0.02 * ((p_number * _arguments.value("people") + person) % 17))
 	return heights
 
 
@@ -142,7 +162,14 @@ func _send_other_list() -> void:
 ## A line of what was seen in the last second.
 func _tell() -> void:
 	var row: Dictionary = {
-		"second": _second, "joined": 0, "joins": 0, "snapshots": [], "gaps_ms": []
+		"second": _second,
+		"usec": Time.get_ticks_usec(),
+		"frames": _frames,
+		"joined": 0,
+		"joins": 0,
+		"bodies": 0,
+		"snapshots": [],
+		"gaps_ms": [],
 	}
 	for client: JoinClient in _clients:
 		row["joined"] += 1 if client.is_joined() else 0
@@ -150,7 +177,7 @@ func _tell() -> void:
 		row["snapshots"].append(client.snapshots)
 		row["gaps_ms"].append(client.gap_s * 1000.0)
 		row["people"] = client.people()
-		row["bodies"] = row.get("bodies", 0) + client.bodies()
+		row["bodies"] += client.bodies()
 		if client.refusal != "" or client.told != "":
 			row["told"] = client.refusal + client.told
 		client.gap_s = 0.0

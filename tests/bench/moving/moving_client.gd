@@ -5,16 +5,15 @@ extends "res://tests/bench/joins/join_client.gd"
 const BlindReplica: GDScript = preload("blind_replica.gd")
 ## Samples a second, of the clip and of each person.
 const SAMPLES: int = 60
+## Samples in the clip from one person to the next.
+const APART: int = 37
 
 ## The clip, sample by sample.
 static var frames: Array[PoseSample] = []
 
-## Samples in the clip from one person to the next.
-var apart: int = 37
 ## Number of this client's first person among all clients' people.
 var first: int = 0
 
-var _due_usec: int = 0
 var _tick: int = -1
 
 
@@ -34,44 +33,24 @@ static func prepare(p_path: String) -> String:
 ## Makes it cheap: no thread of its own, as two processors could not wake so many, and who moves
 ## does not look.
 func save_work() -> void:
+	rate = SAMPLES
 	_link.has_thread = false
 	if not heights.is_empty():
 		_replica = BlindReplica.new(tables)
 
 
-func poll() -> void:
-	_link.poll()
-	var now: int = _now()
-	if _retry_usec > 0 and now > _retry_usec:
-		open()
-	if not _link.is_joined():
-		return
-	var ack: PackedByteArray = _replica.acknowledgement(now, Vector3(0.0, 1.6, 4.0))
-	if not ack.is_empty() and (heights.is_empty() or not _writer.take_along(ack)):
-		_link.send_fast(ack)
-	if heights.is_empty() or now < _due_usec:
-		return
-	# A sample that is late does not make the next ones late.
-	_due_usec = maxi(_due_usec + 1000000 / SAMPLES, now - 1000000 / SAMPLES)
-	_send()
+func _rides_along(p_ack: PackedByteArray) -> bool:
+	return not heights.is_empty() and _writer.take_along(p_ack)
 
 
-func _send() -> void:
-	_sample += 1
-	var samples: Array[PoseSample] = []
-	for index: int in heights.size():
-		var frame: PoseSample = frames[(_sample + (first + index) * apart) % frames.size()]
-		var pose: PoseSample = PoseSample.new()
-		pose.orientations = frame.orientations
-		pose.root = frame.root
-		pose.id = _sample
-		pose.person = index
-		pose.time_usec = 1780000000000000 + _now()
-		if _link.clock.is_known():
-			pose.sent_usec = _link.clock.server_usec(_now())
-		samples.append(pose)
-	for bytes: PackedByteArray in _writer.write(samples):
-		_link.send_fast(bytes)
+func _pose(p_person: int) -> PoseSample:
+	var frame: PoseSample = frames[(_sample + (first + p_person) * APART) % frames.size()]
+	var pose: PoseSample = PoseSample.new()
+	pose.orientations = frame.orientations
+	pose.root = frame.root
+	if _link.clock.is_known():
+		pose.sent_usec = _link.clock.server_usec(_now())
+	return pose
 
 
 ## Of an observer a snapshot is a tick's, however many datagrams it has.

@@ -32,7 +32,7 @@ func _init(p_source: BvhSource, p_skeleton: PersonSkeleton, p_seconds: float) ->
 
 ## Adds the motions that a benchmark's arguments ask for; those that cannot be shown are noted.
 static func open_all(p_arguments: BenchArguments, p_report: BenchReport, r_motions: Array) -> void:
-	var soldier: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
+	var soldier: Ragdoll = BenchBodies.soldier()
 	var bones: PersonSkeleton = soldier.get_joints()
 	soldier.free()
 	for file: String in BenchArguments.clips(p_arguments):

@@ -44,11 +44,7 @@ func measure_walls() -> void:
 	await _tree.create_timer(0.6).timeout
 	var open: PackedFloat32Array = MixCapture.mono(await _mix.record(_tree, 1.0))
 	var wall: StaticBody3D = StaticBody3D.new()
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = Vector3(8.0, 4.0, 0.2)
-	shape.shape = box
-	wall.add_child(shape)
+	wall.add_child(BenchBodies.box(Vector3(8.0, 4.0, 0.2)))
 	wall.position.z = -3.0
 	_add(wall)
 	await _tree.create_timer(0.8).timeout

@@ -121,11 +121,7 @@ func _build_hall() -> void:
 func _add_block(p_place: Vector3, p_size: Vector3) -> void:
 	var block: StaticBody3D = StaticBody3D.new()
 	block.collision_layer = PhysicsLayers.STATIC
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = p_size
-	shape.shape = box
-	block.add_child(shape)
+	block.add_child(BenchBodies.box(p_size))
 	block.position = p_place
 	_add(block)
 

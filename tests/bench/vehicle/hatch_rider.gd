@@ -15,10 +15,9 @@ const SAME_DEG: float = 1.0
 var person: ServerPerson = null
 ## Server side of people.
 var people: ServerPeople = null
-## Mean and largest angle between the upper body and its motion, and how often measured.
+## Angle between the upper body and its motion, and how often measured.
 var error_sum_deg: float = 0.0
 var error_count: int = 0
-var worst_deg: float = 0.0
 ## Angle between the upper body and what the wearer's limbs did in truth.
 var raw_sum_deg: float = 0.0
 ## The same of the limbs that the hatch left as the wearer had them, and how many these were.
@@ -96,7 +95,6 @@ func note() -> void:
 		var error: float = rad_to_deg(_errors[_order[limb]])
 		error_sum_deg += error
 		error_count += 1
-		worst_deg = maxf(worst_deg, error)
 	if person.sitting != null:
 		var hips: Vector3 = person.sitting.hips_in_seat()
 		hips_across = maxf(hips_across, Vector2(hips.x, hips.z).length())
@@ -132,7 +130,6 @@ func forget() -> void:
 	free_sum_deg = 0.0
 	free_count = 0
 	error_count = 0
-	worst_deg = 0.0
 	hips_across = 0.0
 	hips_lowest = INF
 	hips_highest = -INF

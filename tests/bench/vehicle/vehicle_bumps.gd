@@ -25,10 +25,8 @@ static func create(p_end_m: float = END_M) -> StaticBody3D:
 	var mesh: ConcavePolygonShape3D = ConcavePolygonShape3D.new()
 	mesh.set_faces(faces)
 	mesh.backface_collision = true
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	shape.shape = mesh
 	var body: StaticBody3D = StaticBody3D.new()
-	body.add_child(shape)
+	body.add_child(BenchBodies.collision(mesh))
 	return body
 
 

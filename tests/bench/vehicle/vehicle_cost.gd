@@ -25,8 +25,7 @@ func run() -> void:
 ## Time of a tick and, of it, processor time of the main thread (which tells more on a machine that
 ## does other things as well), ms.
 func _time(p_count: int) -> Vector2:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	for index: int in p_count:
 		var at: Vector3 = Vector3(30.0 * (index % 8), 0.05, 30.0 * (index / 8))
 		var vehicle: Vehicle = ground.add_vehicle(preset, kind, Transform3D(Basis.IDENTITY, at))

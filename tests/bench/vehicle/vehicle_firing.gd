@@ -154,5 +154,4 @@ func _hit_person(p_case: String) -> void:
 		report.at_least(name, "lowest hips", lowest, "m", 0.7)
 	else:
 		report.at_most(name, "lowest hips", lowest, "m", 0.6)
-	report.add(name, "hips 4 s later", hips.global_position.y, "m")
 	firing.free_all()

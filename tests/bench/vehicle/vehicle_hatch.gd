@@ -77,10 +77,10 @@ func _ride(p_case: String, p_clip: String) -> void:
 		_rider.play("res://assets/motion/%s.bvh" % p_clip)
 	var is_full: bool = p_case == CASES[2]
 	for _number: int in SETTLE_TICKS:
-		_drive()
+		drive_ahead(_vehicle, SPEED)
 		await _step()
 	for number: int in roundi(minutes * 3600.0):
-		_drive()
+		drive_ahead(_vehicle, SPEED)
 		if is_full:
 			_turret.aim = Vector2(1.0, 0.0)
 			if number % SHOT_TICKS == 0:
@@ -90,14 +90,6 @@ func _ride(p_case: String, p_clip: String) -> void:
 	_report_ride(p_case, "stands" if p_clip == "" else p_clip)
 	_ground.free_all()
 	await tree.physics_frame
-
-
-func _drive() -> void:
-	_vehicle.input.throttle = clampf(
-		0.15 + 0.5 * (SPEED - VehicleGround.speed_of(_vehicle)), 0.0, 1.0
-	)
-	var aside: float = _vehicle.position.x
-	_vehicle.input.steer = clampf(0.05 * aside + 0.6 * -_vehicle.global_basis.z.x, -0.5, 0.5)
 
 
 func _shoot() -> void:
@@ -117,7 +109,6 @@ func _report_ride(p_case: String, p_clip: String) -> void:
 	report.at_most(name, free, _rider.free_deg(), "deg", UPPER_DEG, is_level)
 	report.add(name, "limbs that have room", _rider.free_share(), "%")
 	report.add(name, "all limbs, off what the wearer does, mean", _rider.raw_deg(), "deg")
-	report.add(name, "worst of any limb", _rider.worst_deg, "deg")
 	report.at_most(name, "hips off the middle", _rider.hips_across, "m", MOST_ACROSS_M)
 	report.at_most(name, "hips above the soles", _rider.hips_highest, "m", MOST_UP_M)
 	report.at_least(name, "lowest hips", _rider.hips_lowest, "m", 0.25)
@@ -125,7 +116,6 @@ func _report_ride(p_case: String, p_clip: String) -> void:
 	report.at_most(name, "fastest limb", _rider.fastest, "m/s", 25.0)
 	var is_seated: bool = _is_in()
 	report.at_least(name, "still in the hatch", 1.0 if is_seated else 0.0, "", 1.0)
-	report.add(name, "way", -_vehicle.position.z, "m")
 
 
 ## In and out again a hundred times.

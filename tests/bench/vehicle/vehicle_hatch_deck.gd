@@ -13,8 +13,7 @@ func run() -> void:
 
 
 func _ride(p_way: String) -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	var vehicle: Vehicle = ground.add_vehicle("tank", kind)
 	var rider: HatchRider = await _put(ground, vehicle, p_way == "lies")
 	var from: Vector3 = vehicle.to_local(rider.hips())
@@ -31,15 +30,13 @@ func _ride(p_way: String) -> void:
 	var is_on: bool = vehicle.to_local(rider.hips()).y > 1.6
 	report.at_least(name, "is on it after a minute", 1.0 if is_on else 0.0, "", 1.0)
 	report.add(name, "moves on it", worst, "m")
-	report.add(name, "way", vehicle.position.length(), "m")
 	ground.free_all()
 	await tree.physics_frame
 
 
 ## Stops from full speed: whoever stands there cannot stay.
 func _brake() -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	var vehicle: Vehicle = ground.add_vehicle("tank", kind)
 	var rider: HatchRider = await _put(ground, vehicle, false)
 	var from: Vector3 = Vector3.ZERO

@@ -28,8 +28,7 @@ func _is_heavy() -> bool:
 
 
 func _fall(p_case: String, p_turned: Basis) -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	var vehicle: Vehicle = ground.add_vehicle(
 		preset, kind, Transform3D(p_turned, Vector3(0.0, 10.0, 0.0))
 	)
@@ -51,8 +50,7 @@ func _fall(p_case: String, p_turned: Basis) -> void:
 
 
 func _ram(p_case: String) -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	var pair: Array[Vehicle] = []
 	for side: float in [1.0, -1.0]:
 		var at: Transform3D = Transform3D(
@@ -78,8 +76,7 @@ func _ram(p_case: String) -> void:
 
 
 func _run_over(p_case: String) -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	VehicleWander.add_crates(ground, Vector3(0.0, 0.0, -30.0), 30)
 	var start: Transform3D = Transform3D(Basis.IDENTITY, Vector3(0.0, 0.05, 0.0))
 	var vehicle: Vehicle = ground.add_vehicle(preset, kind, start)
@@ -95,15 +92,13 @@ func _run_over(p_case: String) -> void:
 
 ## A person who stands in the way, or lies down as the vehicle comes.
 func _meet(p_case: String, p_is_limp: bool) -> void:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	var start: Transform3D = Transform3D(Basis.IDENTITY, Vector3(0.0, 0.02, 40.0))
 	var vehicle: Vehicle = ground.add_vehicle(preset, kind, start)
 	var source: BvhSource = BvhSource.new()
 	source.open("res://assets/motion/01_01.bvh")
 	var sample: PoseSample = source.pose_at(0.5)
-	var person: Ragdoll = (load("res://scenes/actor/soldier.tscn") as PackedScene).instantiate()
-	person.root_mode = RagdollMotor.ROOT_GROUNDED
+	var person: Ragdoll = BenchBodies.soldier(RagdollMotor.ROOT_GROUNDED)
 	ground.view.add_child(person)
 	person.start()
 	# In the way of the right wheels.

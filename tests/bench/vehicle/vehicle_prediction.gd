@@ -38,10 +38,6 @@ var _newest_speed: float = 0.0
 
 
 func run() -> void:
-	await _measure()
-
-
-func _measure() -> void:
 	_random.seed = 16
 	_begin()
 	var obeys: Array[int] = await _start_up()
@@ -60,7 +56,6 @@ func _measure() -> void:
 	report.at_most(
 		title, "pull of the picture, largest", _pulls.percentile(1.0) * 100.0, "cm", 10.0
 	)
-	report.add(title, "prediction began anew", _predicted.restarts, "times")
 	_server.free_all()
 	_client.free_all()
 

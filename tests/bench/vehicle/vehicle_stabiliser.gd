@@ -23,10 +23,7 @@ func _ride(p_yaw_deg: float) -> void:
 	var worst: float = 0.0
 	var count: int = 0
 	for tick: int in SETTLE_TICKS + roundi(minutes * 3600.0):
-		var speed: float = VehicleGround.speed_of(vehicle)
-		vehicle.input.throttle = clampf(0.15 + 0.5 * (SPEED - speed), 0.0, 1.0)
-		var ahead: float = vehicle.global_basis.z.x
-		vehicle.input.steer = clampf(0.05 * vehicle.position.x - 0.6 * ahead, -0.5, 0.5)
+		drive_ahead(vehicle, SPEED)
 		await tree.physics_frame
 		if tick < SETTLE_TICKS:
 			continue

@@ -87,11 +87,7 @@ static func add_crates(p_ground: VehicleGround, p_at: Vector3, p_count: int) -> 
 	wood.friction = 0.5
 	for index: int in p_count:
 		var crate: RigidBody3D = RigidBody3D.new()
-		var shape: CollisionShape3D = CollisionShape3D.new()
-		var box: BoxShape3D = BoxShape3D.new()
-		box.size = Vector3(0.9, 0.9, 0.9)
-		shape.shape = box
-		crate.add_child(shape)
+		crate.add_child(BenchBodies.box(Vector3(0.9, 0.9, 0.9)))
 		crate.mass = 300.0
 		crate.physics_material_override = wood
 		crate.collision_layer = 4

@@ -68,8 +68,7 @@ func run() -> void:
 
 ## The payload of all datagrams, kbit/s.
 func _measure(p_drives: bool) -> float:
-	var ground: VehicleGround = VehicleGround.new(tree.root)
-	ground.add_floor()
+	var ground: VehicleGround = flat_ground()
 	ground.view.add_child(VehicleBumps.create())
 	var vehicle: Vehicle = ground.add_vehicle(preset, kind)
 	var host: Host = Host.new()

@@ -19,7 +19,7 @@ func _init(p_people: Array[BvhSource], p_crates: int) -> void:
 	for i: int in p_crates:
 		var crate: RigidBody3D = RigidBody3D.new()
 		crate.mass = 10.0
-		crate.add_child(_shape(Vector3.ONE * 0.5))
+		crate.add_child(BenchBodies.box(Vector3.ONE * 0.5))
 		crate.position = Vector3(i % 15 - 7, 1.0 + 0.01 * i, i / 15 - 7)
 		add_child(crate)
 		crates.append(crate)
@@ -55,14 +55,6 @@ func _add_walls() -> void:
 		[Vector3(SIDE_M, 8.0, 1.0), Vector3(0.0, 3.0, -half)],
 	]:
 		var body: StaticBody3D = StaticBody3D.new()
-		body.add_child(_shape(wall[0]))
+		body.add_child(BenchBodies.box(wall[0]))
 		body.position = wall[1]
 		add_child(body)
-
-
-static func _shape(p_size: Vector3) -> CollisionShape3D:
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = p_size
-	shape.shape = box
-	return shape

@@ -50,9 +50,8 @@ func draw(p_has_sets: bool) -> void:
 	await RenderingServer.frame_post_draw
 
 
-## Draw calls, thousands of primitives and ms of the processor for the last frame.
+## Draw calls and thousands of primitives of the last frame.
 func counts() -> Array[float]:
-	var viewport: RID = camera.get_viewport().get_viewport_rid()
 	return [
 		RenderingServer.get_rendering_info(
 			RenderingServer.RENDERING_INFO_TOTAL_DRAW_CALLS_IN_FRAME
@@ -62,10 +61,6 @@ func counts() -> Array[float]:
 				RenderingServer.RENDERING_INFO_TOTAL_PRIMITIVES_IN_FRAME
 			)
 			/ 1000.0
-		),
-		(
-			RenderingServer.get_frame_setup_time_cpu()
-			+ RenderingServer.viewport_get_measured_render_time_cpu(viewport)
 		),
 	]
 

@@ -73,7 +73,7 @@ func _measure_crates(p_count: int) -> void:
 		crates.append(crate)
 	for _tick: int in SETTLE:
 		await physics_frame
-	_tell("crates_falling_ms", await _time_ticks() - empty_ms)
+	await _time_ticks()
 	for _tick: int in MEASURED:
 		await physics_frame
 	_tell("crates_resting_ms", await _time_ticks() - empty_ms)
@@ -132,11 +132,7 @@ func _make_box() -> RigidBody3D:
 
 func _make_ball() -> RigidBody3D:
 	var ball: RigidBody3D = RigidBody3D.new()
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var sphere: SphereShape3D = SphereShape3D.new()
-	sphere.radius = BALL_M
-	shape.shape = sphere
-	ball.add_child(shape)
+	ball.add_child(BenchBodies.ball(BALL_M))
 	ball.mass = 0.4
 	ball.continuous_cd = true
 	return _throw(ball, BALL_SPEED)
