@@ -6,6 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include <sys/ioctl.h>
+
 namespace emulator {
 
 InterfaceClaims::InterfaceClaims(
