@@ -9,28 +9,9 @@ const WINDOW: String = "window"
 const HMD: String = "hmd"
 ## The screens of a layout file.
 const WALL: String = "wall"
-## Stereo modes, in the order of [enum StereoMode.Kind].
-const EYES: Array[String] = [
-	"mono",
-	"side-by-side",
-	"side-by-side-full",
-	"top-bottom",
-	"top-bottom-full",
-	"anaglyph",
-	"rows",
-	"columns",
-	"checkerboard",
-	"windows",
-	"left",
-	"right",
+## Both eyes without a headset. Rarer stereo modes are for the screens of a layout file.
+const STEREO: PackedStringArray = ["side-by-side", "top-bottom", "anaglyph", "rows", "columns"]
+## All values.
+const ALL: PackedStringArray = [
+	"window", "hmd", "wall", "side-by-side", "top-bottom", "anaglyph", "rows", "columns"
 ]
-
-
-## Both eyes without a headset.
-static func stereo() -> PackedStringArray:
-	return EYES.slice(1)
-
-
-## All of them.
-static func all() -> PackedStringArray:
-	return PackedStringArray([WINDOW, HMD, WALL]) + stereo()

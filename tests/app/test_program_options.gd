@@ -38,13 +38,13 @@ func test_arguments() -> void:
 
 func test_values_may_stand_by_themselves() -> void:
 	var options: Options = ProgramOptions.parse(
-		["--port", "1234", "--mvn", "--xbus", "--rate", "30", "--name", "Ada = Bob"]
+		["--port", "1234", "--vmc-out", "--xbus", "--rate", "30", "--name", "Ada = Bob"]
 	)
 	equal(options.error, "")
 	equal([options.number("port"), options.number("rate")], [1234, 30])
-	equal([options.number("mvn"), options.is_on("xbus")], [9763, true])
+	equal([options.text("vmc-out"), options.is_on("xbus")], ["127.0.0.1:39539", true])
 	equal(options.text("name"), "Ada = Bob")
-	equal(ProgramOptions.parse(["--mvn", "5000"]).number("mvn"), 5000)
+	equal(ProgramOptions.parse(["--vmc-out", "host:50"]).text("vmc-out"), "host:50")
 
 
 func test_environment_and_arguments_win() -> void:

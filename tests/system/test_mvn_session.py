@@ -48,7 +48,7 @@ class Studio:
         self.world = world
         self.server: Process = world.server()
         self.port = free_port()
-        self.trainee: Process = world.client("trainee", f"--mvn={self.port}")
+        self.trainee: Process = world.client("trainee", f"--source=mvn:{self.port}")
         self.trainee.await_text("joined")
 
 
@@ -86,11 +86,11 @@ def test_three_people_of_mvn_come_move_and_leave(studio: Studio) -> None:
 
 def test_one_port_has_one_receiver(studio: Studio) -> None:
     port = studio.port
-    second = studio.world.client("trainee", f"--mvn={port}", name="second")
+    second = studio.world.client("trainee", f"--source=mvn:{port}", name="second")
     assert second.await_exit() == 2
     said = [line for line in second.log().splitlines() if f"{port} is in use" in line]
     assert len(said) == 1
-    assert "--mvn" in said[0]
+    assert "--source=mvn" in said[0]
 
 
 def test_rubbish_is_counted_and_told(studio: Studio) -> None:

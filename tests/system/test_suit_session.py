@@ -199,7 +199,7 @@ def lines_of_text(picture: Picture) -> int:
     ("emulator", "words"),
     [
         (["--sensors=3", "--devices=native", "--forbidden"], ["permission", ".rules", "udevadm"]),
-        (["--devices=awinda"], ["MVN", "--mvn"]),
+        (["--devices=awinda"], ["MVN", "--source=mvn"]),
     ],
 )
 def test_what_cannot_be_used_is_said(start: Start, emulator: list[str], words: list[str]) -> None:

@@ -16,7 +16,7 @@ from collections.abc import Iterable
 from .paths import ROOT
 from .tracked import tracked
 
-# Members that tests name and nothing else does: no more than these. A test goes through what users use.
+# At most so many members are named by tests alone: a test goes through what users use.
 ONLY_TESTED_LIMIT = 44
 KEPT = ROOT / "tools" / "toolchain" / "bound.txt"
 _METHOD = re.compile(r'D_METHOD\(\s*"(\w+)"[^;]*?&(\w+)::')

@@ -37,7 +37,7 @@ Displays
 
 Motion capture without a suit
   ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
-  ./run motion-sender       plays a motion file as MVN, VMC, SlimeVR, Rokoko, Axis, mocopi, NatNet, a webcam
+  ./run motion-sender       plays a motion file as MVN's stream, VMC, SlimeVR, a webcam and others
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
 

@@ -230,7 +230,7 @@ func _make(p_options: Options) -> String:
 		mode = wall
 		context.agreement = _agree
 		return wall.set_up(p_options.file("layout"), p_options.text("screens"))
-	if not DisplayNames.stereo().has(name):
+	if not DisplayNames.STEREO.has(name):
 		return ""
 	var stereo: StereoDisplay = StereoDisplay.new()
 	var fault: String = stereo.set_up(

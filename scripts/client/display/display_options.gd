@@ -46,7 +46,7 @@ static func rows() -> Array[OptionRow]:
 			"display",
 			showing,
 			DisplayNames.WINDOW,
-			DisplayNames.all(),
+			DisplayNames.ALL,
 			"how the world is shown (docs/displays.md)"
 		),
 		OptionRow.choice(

@@ -1,7 +1,7 @@
 class_name MotionInputs
 extends RefCounted
 ## The motion sources that a client's options ask for: what --source names (files, the suit on USB,
-## network streams, body trackers of other plugins, a headset; --bvh, --xbus, --mvn and --tracker
+## network streams, body trackers of other plugins, a headset; --bvh and --xbus
 ## are short for some), and recordings of suits. Sources have numbers from 1 on, in their order;
 ## --fuse completes the first by others, limb by limb ([LimbFusion]).
 
@@ -75,7 +75,7 @@ func open(p_options: Options) -> String:
 		if fault == "":
 			fault = _open_source(_addresses[number], number + 1)
 	if fault == "" and not _has_any() and not awaits_headset:
-		var short: String = "--bvh=FILE, --xbus, --mvn, --tracker or --suit-play"
+		var short: String = "--bvh=FILE, --xbus or --suit-play"
 		var kinds: String = ", ".join(SourceAddress.describe_kinds())
 		return "a trainee needs a motion source: %s, or --source=KIND: %s" % [short, kinds]
 	return fault

@@ -44,14 +44,6 @@ static func rows() -> Array[OptionRow]:
 		),
 		OptionRow.flag("xbus", moving, "motion from the suit on this machine's USB ports"),
 		OptionRow.number("suit-rate", moving, 100, [10, 512], "samples of the suit", "per second"),
-		(
-			OptionRow
-			. number("mvn", moving, 0, [0, 65535], "UDP port for MVN's network stream; 0: none")
-			. or_bare(str(SourceAddress.PORTS["mvn"]))
-		),
-		OptionRow.text(
-			"tracker", moving, "body tracker of another plugin, such as /user/body_tracker"
-		),
 		OptionRow.file("suit-record", moving, "record every byte of suits and of MVN in this file"),
 		OptionRow.file("suit-play", moving, "motion from a file of --suit-record, in a loop"),
 		OptionRow.text("person", moving, "who wears the suit: name of size and calibration"),

@@ -86,6 +86,7 @@ func fade_edges(p_blend: Vector4, p_gamma: float, p_black_lift: float) -> void:
 	_material.set_shader_parameter(&"black_lift", p_black_lift)
 
 
-## Where the window's upper left pixel is on its panel: interlaced eyes follow the panel's pixels.
-func set_panel_origin(p_origin: Vector2i) -> void:
-	_material.set_shader_parameter(&"panel_origin", p_origin)
+## Has interlaced eyes follow the pixels of the panel that a window is on, wherever the window is.
+func follow_panel(p_window: Window) -> void:
+	var origin: Vector2i = DisplayServer.screen_get_position(p_window.current_screen)
+	_material.set_shader_parameter(&"panel_origin", p_window.position - origin)

@@ -1,7 +1,7 @@
 class_name StereoDisplay
 extends DisplayMode
 ## Shows the world to both eyes without a headset: side by side, one above the other, for coloured
-## or polarised glasses, in a window for each eye, or one eye alone of a station of two.
+## or polarised glasses, or one eye alone of two screens that share their corners.
 ##
 ## Both eyes look ahead side by side with off-axis frusta, so that what is at [member convergence]
 ## is in the plane of the screen. Their two pictures are drawn as the window draws, composed in one
@@ -33,7 +33,6 @@ var _pictures: Array[EyePicture] = []
 var _hud: HudPicture = null
 var _hud_places: Array[TextureRect] = []
 var _canvas: Node2D = null
-var _second: EyeWindow = null
 var _is_passing_on: bool = false
 var _kept: Dictionary[StringName, Variant] = {}
 
@@ -84,9 +83,7 @@ func open() -> String:
 		var picture: EyePicture = EyePicture.new()
 		_pictures.append(picture)
 		_canvas.add_child(picture)
-	if _kind == StereoMode.Kind.WINDOWS:
-		_open_second()
-	if StereoMode.parts(_kind) != Vector2i.ONE or _second != null:
+	if StereoMode.parts(_kind) != Vector2i.ONE:
 		_open_hud(layer)
 	_connect_pictures()
 	_fit()
@@ -105,7 +102,6 @@ func close() -> void:
 	_pictures.clear()
 	_hud_places.clear()
 	_hud = null
-	_second = null
 	_canvas = null
 	for property: StringName in _kept:
 		_window.set(property, _kept[property])
@@ -179,21 +175,11 @@ func _keep_window() -> void:
 	_window.content_scale_mode = Window.CONTENT_SCALE_MODE_DISABLED
 
 
-func _open_second() -> void:
-	_second = EyeWindow.new()
-	add_child(_second)
-	_second.open_beside(_window)
-	_second.closed.connect(
-		func() -> void: failed.emit("The window of the second eye was closed"), CONNECT_ONE_SHOT
-	)
-
-
 func _open_hud(p_layer: CanvasLayer) -> void:
 	_hud = HudPicture.new()
 	add_child(_hud)
 	_hud.take_from(_window, p_layer)
-	var places: int = 1 if _second != null else 2
-	for _place: int in places:
+	for _part: int in _pictures.size():
 		var rect: TextureRect = TextureRect.new()
 		rect.texture = _hud.get_texture()
 		rect.expand_mode = TextureRect.EXPAND_IGNORE_SIZE
@@ -217,8 +203,6 @@ func _connect_pictures() -> void:
 	_pictures[0].show_eyes(left, right, mix)
 	if _pictures.size() == 2:
 		_pictures[1].show_eyes(right, right, mix)
-	if _second != null:
-		_second.show_eye(right, _hud.get_texture())
 
 
 ## Follows the window's size and its position on the panel.
@@ -233,7 +217,7 @@ func _fit() -> void:
 		view.resize(StereoMode.eye_size(_kind, size))
 	for part: int in _pictures.size():
 		_pictures[part].fill(frames[part])
-		_pictures[part].set_panel_origin(EyeWindow.panel_origin(_window))
+		_pictures[part].follow_panel(_window)
 	if _hud != null:
 		_hud.fit(frames[0].size, _window.get_visible_rect().size)
 		for place: int in _hud_places.size():

@@ -22,16 +22,26 @@ enum Kind {
 	COLUMNS,
 	## By the squares of a checkerboard of pixels.
 	CHECKERBOARD,
-	## A window for each eye.
-	WINDOWS,
 	## The left eye alone: one station for each eye.
 	LEFT,
 	## The right eye alone.
 	RIGHT,
 }
 
-## What options and layout files call them.
-const NAMES: Array[String] = DisplayNames.EYES
+## What layout files call them, and [constant DisplayNames.STEREO] some.
+const NAMES: Array[String] = [
+	"mono",
+	"side-by-side",
+	"side-by-side-full",
+	"top-bottom",
+	"top-bottom-full",
+	"anaglyph",
+	"rows",
+	"columns",
+	"checkerboard",
+	"left",
+	"right",
+]
 
 
 ## The mode of a name, or -1.

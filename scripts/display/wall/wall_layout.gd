@@ -180,6 +180,4 @@ func _find_fault(p_screen: WallScreen) -> String:
 		)
 	if maxf(p_screen.blend.x + p_screen.blend.y, p_screen.blend.z + p_screen.blend.w) > 1.0:
 		return "its blended edges overlap: opposite ones are 1 together at most"
-	if p_screen.mode == StereoMode.Kind.WINDOWS:
-		return "a window for each eye is two screens with the same corners, left and right"
 	return ""

@@ -119,7 +119,7 @@ func _fit() -> void:
 	var size: Vector2i = window.size
 	_canvas.scale = window.get_visible_rect().size / Vector2(size)
 	for picture: EyePicture in _pictures:
-		picture.set_panel_origin(EyeWindow.panel_origin(window))
+		picture.follow_panel(window)
 	if size == _drawn_size:
 		return
 	_drawn_size = size

@@ -103,17 +103,13 @@ static func parse_list(p_text: String) -> Array[SourceAddress]:
 	return found
 
 
-## The sources that options name, the short forms (--bvh, --xbus, --mvn, --tracker) first.
+## The sources that options name, the short forms (--bvh, --xbus) first.
 static func of_options(p_options: Options) -> Array[SourceAddress]:
 	var found: Array[SourceAddress] = []
 	if p_options.text("bvh") != "":
 		found.append(parse("bvh:" + p_options.text("bvh")))
 	if p_options.is_on("xbus"):
 		found.append(parse("xbus"))
-	if p_options.number("mvn") != 0:
-		found.append(parse("mvn:%d" % p_options.number("mvn")))
-	if p_options.text("tracker") != "":
-		found.append(parse("tracker:" + p_options.text("tracker")))
 	found.append_array(parse_list(p_options.text("source")))
 	return found
 

@@ -5,7 +5,7 @@ extends TestCase
 func test_without_a_window_there_is_no_display() -> void:
 	if DisplayServer.get_name() != "headless":
 		return
-	for name: String in DisplayNames.all():
+	for name: String in DisplayNames.ALL:
 		var display: ClientDisplay = ClientDisplay.new()
 		var context: ClientContext = ClientContext.new()
 		context.options = ProgramOptions.parse(["--display=" + name])

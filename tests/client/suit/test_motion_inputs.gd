@@ -25,7 +25,7 @@ func after_each() -> void:
 
 func test_without_a_source_the_options_are_named() -> void:
 	var fault: String = _open([])
-	for option: String in ["--bvh", "--xbus", "--mvn", "--tracker", "--suit-play", "--source"]:
+	for option: String in ["--bvh", "--xbus", "--suit-play", "--source"]:
 		contains(fault, option)
 
 
@@ -73,12 +73,12 @@ func test_a_port_for_mvn_that_is_in_use() -> void:
 	var other: MvnStream = MvnStream.new()
 	equal(other.open(0), "")
 	var port: int = other.receiver.get_port()
-	var fault: String = _open(["--mvn=%d" % port])
+	var fault: String = _open(["--source=mvn:%d" % port])
 	contains(fault, str(port))
-	contains(fault, "--mvn")
+	contains(fault, "--source=mvn")
 	other.close()
 	_again()
-	equal(_open(["--mvn=%d" % port]), "", "free again")
+	equal(_open(["--source=mvn:%d" % port]), "", "free again")
 	contains(_inputs.guide(0.0), "no MVN on UDP port %d" % port)
 	equal(_inputs.list_devices().size(), 1)
 
@@ -138,7 +138,7 @@ func test_poses_are_sent_to_other_programs() -> void:
 
 
 func test_a_tracker_that_is_not_there_is_told_and_waited_for() -> void:
-	equal(_open(["--tracker=/user/nobody"]), "")
+	equal(_open(["--source=tracker:/user/nobody"]), "")
 	equal(_appeared.size(), 1)
 	_inputs.advance(1.0)
 	is_null((_appeared[0][0] as MotionSource).sample(1000000))

@@ -299,7 +299,7 @@ void DeviceSetup::take_device_id(const Frame &p_frame) {
 	if (!_device.has_public_protocol()) {
 		_log.log(Severity::WARNING,
 				"%08X is %s %s: its protocol and the filter that makes its orientations are not public. Let MVN "
-				"run with it and send its motion here (network streamer, UDP port 9763; here --mvn)",
+				"run with it and send its motion here (network streamer, UDP port 9763; here --source=mvn)",
 				_device.id, _device.kind == DeviceKind::BODY_PACK ? "a" : "an", device_kind_name(_device.kind));
 		go_to(SetupStep::UNSUPPORTED);
 		return;

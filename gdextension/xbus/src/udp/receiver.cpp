@@ -62,7 +62,7 @@ std::string Receiver::open(uint16_t p_port, RawListener p_raw) {
 		close();
 		return error == EADDRINUSE ? where +
 						" is in use: another program receives MVN's stream there; end it, or let MVN send to another "
-						"port and name that one (--mvn=PORT)"
+						"port and name that one (--source=mvn:PORT)"
 								   : where + " can't be opened: " + std::strerror(error);
 	}
 	setsockopt(_socket, SOL_SOCKET, SO_RCVBUF, &BUFFER_BYTES, sizeof(BUFFER_BYTES));

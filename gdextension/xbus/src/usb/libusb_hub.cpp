@@ -34,10 +34,10 @@ const char *advice(DeviceLink p_kind) {
 		case DeviceLink::AWINDA:
 			return " is recognised, but can't be used: Awinda's radio protocol and the filter that makes "
 				   "orientations of its trackers' data are not public. Let MVN run on the machine with the station and "
-				   "send its motion here (network streamer, UDP port 9763; here --mvn)";
+				   "send its motion here (network streamer, UDP port 9763; here --source=mvn)";
 		case DeviceLink::BODY_PACK:
 			return " is recognised, but speaks no public protocol. Let MVN send its motion here (network streamer, UDP "
-				   "port 9763; here --mvn)";
+				   "port 9763; here --source=mvn)";
 		default:
 			return "";
 	}
