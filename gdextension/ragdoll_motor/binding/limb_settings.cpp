@@ -85,13 +85,4 @@ bool LimbSettings::apply_profile(const Ref<RagdollControlProfile> &p_profile, do
 	return true;
 }
 
-double LimbSettings::get_physics_blend(const StringName &p_bone) const {
-	for (std::size_t i = 0; i < _plan.get_bones().size(); i++) {
-		if (_plan.get_bones()[i] == p_bone) {
-			return _driver.get_table().get_physics_blend(i);
-		}
-	}
-	return 1.0;
-}
-
 } // namespace godot

@@ -30,8 +30,6 @@ public:
 	/// Sets all limbs; those that the profile does not name get a control's defaults.
 	/// @param p_blend_s below 0: as the profile has it
 	bool apply_profile(const Ref<RagdollControlProfile> &p_profile, double p_blend_s);
-	/// How far a limb is shown from the motion (0) to the simulation (1).
-	double get_physics_blend(const StringName &p_bone) const;
 
 private:
 	const RagdollPlan &_plan;

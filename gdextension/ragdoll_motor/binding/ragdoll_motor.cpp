@@ -157,10 +157,6 @@ bool RagdollMotor::invoke_control_profile(const StringName &p_name, double p_ble
 	ERR_FAIL_V_MSG(false, "RagdollMotor: control_profiles has none of the name " + String(p_name) + ".");
 }
 
-double RagdollMotor::get_physics_blend(const StringName &p_bone) const {
-	return _ragdoll ? LimbSettings(*_ragdoll).get_physics_blend(p_bone) : 1.0;
-}
-
 int64_t RagdollMotor::hit(const Vector3 &p_impulse, const Vector3 &p_position, double p_strength, double p_blend_s,
 		const StringName &p_group) {
 	int group = -1;
@@ -320,7 +316,6 @@ void RagdollMotor::bind_limb_control() {
 	ClassDB::bind_method(
 			D_METHOD("invoke_control_profile", "name", "blend_s"), &RagdollMotor::invoke_control_profile, DEFVAL(-1.0));
 	ClassDB::bind_method(D_METHOD("get_control_profile"), &RagdollMotor::get_control_profile);
-	ClassDB::bind_method(D_METHOD("get_physics_blend", "bone"), &RagdollMotor::get_physics_blend);
 	ClassDB::bind_method(D_METHOD("set_control_profiles", "profiles"), &RagdollMotor::set_control_profiles);
 	ClassDB::bind_method(D_METHOD("get_control_profiles"), &RagdollMotor::get_control_profiles);
 	// 24 is an object, 17 a resource type: how the engine writes the elements of an array.

@@ -104,7 +104,6 @@ public:
 	bool apply_control_profile(const Ref<RagdollControlProfile> &p_profile, double p_blend_s);
 	bool invoke_control_profile(const StringName &p_name, double p_blend_s);
 	StringName get_control_profile() const { return _control_profile; }
-	double get_physics_blend(const StringName &p_bone) const;
 	void set_control_profiles(const TypedArray<RagdollControlProfile> &p_profiles) { _control_profiles = p_profiles; }
 	TypedArray<RagdollControlProfile> get_control_profiles() const { return _control_profiles; }
 

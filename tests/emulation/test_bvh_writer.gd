@@ -1,7 +1,7 @@
 extends TestCase
 ## What BvhWriter writes is read back to the same clip.
 
-const Samples: GDScript = preload("bvh_samples.gd")
+const Samples: GDScript = preload("res://tests/mocap/bvh/bvh_samples.gd")
 
 
 func test_text_of_a_small_clip() -> void:

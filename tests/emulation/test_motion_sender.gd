@@ -1,7 +1,7 @@
 extends TestCase
 ## The program that plays motion files in place of other people's suits, as a process of its own.
 
-const SCRIPT: String = "res://scripts/mocap/emulator/motion_sender.gd"
+const SCRIPT: String = "res://scripts/emulation/motion_sender.gd"
 const CLIP: String = "res://assets/motion/01_01.bvh"
 
 

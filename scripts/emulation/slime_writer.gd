@@ -23,6 +23,10 @@ var _told_usec: int = -_ASK_USEC
 var _acked: Dictionary[int, bool] = {}
 
 
+func set_person(p_number: int, _p_name: String) -> void:
+	mac[5] = (p_number + 1) & 0xFF
+
+
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:
 	if not _is_connected:
 		if p_pose.time_usec - _asked_usec < _ASK_USEC:

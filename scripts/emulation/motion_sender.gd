@@ -6,9 +6,12 @@ extends SceneTree
 
 const USAGE: String = """usage: ./run motion-sender --to KIND --bvh FILE[,FILE] [options]
 
-  --to KIND         vmc, slime, rokoko, axis, axis-text, mocopi, natnet or webcam; perhaps with
-                    :HOST:PORT behind it (127.0.0.1 and the kind's usual port)
+  --to KIND         mvn, vmc, slime, rokoko, axis, axis-text, mocopi, natnet or webcam; perhaps
+                    with :HOST:PORT behind it (127.0.0.1 and the kind's usual port)
   --bvh FILES       the motion, played in a loop; several people, one a file
+  --people N        so many people, up to 32, who take turns with the files (0: one a file)
+  --first N         number of the first of them, 0 to 255 (0)
+  --name NAME       their name, where the kind has one (Dismount)
   --rate HZ         samples a second, 1 to 240 (60)
   --seconds S       ends after so long (never)
   --loss P          share of the datagrams that are left out, 0 to 1 (0)
@@ -16,11 +19,15 @@ const USAGE: String = """usage: ./run motion-sender --to KIND --bvh FILE[,FILE] 
   --jitter MS       datagrams are late by up to so much, ms, and overtake each other (0)
   --seed N          of what is lost, doubled and late (1)
   --unit U, --up A  the file's unit and up axis, as in ./run bvh
-
-  MVN's own stream: ./run mvn-sender"""
+  --types LIST      what MVN sends (02,12,13,23): 01 Euler pose, 02 quaternion pose, 03 points,
+                    05 Unity3D, 12 meta data, 13 scale, 20 joint angles, 21 linear and 22 angular
+                    kinematics, 23 trackers, 24 centre of mass, 25 time code"""
 const DEFAULTS: Dictionary[String, String] = {
 	"to": "",
 	"bvh": "",
+	"people": "0",
+	"first": "0",
+	"name": "Dismount",
 	"rate": "60",
 	"seconds": "0",
 	"loss": "0",
@@ -29,9 +36,12 @@ const DEFAULTS: Dictionary[String, String] = {
 	"seed": "1",
 	"unit": "",
 	"up": "",
+	"types": "02,12,13,23",
 }
 ## Least and greatest value of the numbers.
 const RANGES: Dictionary[String, Vector2] = {
+	"people": Vector2(0, 32),
+	"first": Vector2(0, 255),
 	"rate": Vector2(1, 240),
 	"seconds": Vector2(0, 1e9),
 	"loss": Vector2(0, 1),
@@ -39,16 +49,31 @@ const RANGES: Dictionary[String, Vector2] = {
 	"jitter": Vector2(0, 1000),
 	"seed": Vector2(0, 1e9),
 }
-const KINDS: PackedStringArray = [
-	"vmc", "slime", "rokoko", "axis", "axis-text", "mocopi", "natnet", "webcam"
-]
+## Numbers without a fraction.
+const WHOLE: PackedStringArray = ["people", "first"]
 ## Metres between people.
 const APART_M: float = 1.2
+## Seconds between people who play the same file.
+const LATER_S: float = 0.7
+
+## What writes each protocol.
+static var _writers_of: Dictionary[String, GDScript] = {
+	"mvn": MvnWriter,
+	"vmc": VmcWriter,
+	"slime": SlimeWriter,
+	"rokoko": RokokoWriter,
+	"axis": AxisWriter,
+	"axis-text": AxisWriter,
+	"mocopi": MocopiWriter,
+	"natnet": NatnetWriter,
+	"webcam": WebcamWriter,
+}
 
 var _options: Dictionary[String, String] = DEFAULTS.duplicate()
 var _kind: String = ""
 var _address: String = "127.0.0.1"
 var _port: int = 0
+var _types: PackedInt32Array = []
 var _people: Array[BvhSource] = []
 var _writers: Array[StreamWriter] = []
 var _peers: Array[PacketPeerUDP] = []
@@ -73,15 +98,18 @@ func _initialize() -> void:
 
 
 func _read_options() -> String:
-	var fault: String = SenderArguments.read(_options, RANGES, [], "motion-sender")
-	return fault if fault != "" else _read_receiver()
+	var fault: String = SenderArguments.read(_options, RANGES, WHOLE, "motion-sender")
+	if fault == "":
+		fault = _read_receiver()
+	return fault if fault != "" else _read_types()
 
 
 func _read_receiver() -> String:
 	var parts: PackedStringArray = _options["to"].split(":")
 	_kind = parts[0]
-	if not KINDS.has(_kind) or parts.size() > 3:
-		return "--to is %s and perhaps :HOST:PORT, found '%s'" % [", ".join(KINDS), _options["to"]]
+	if not _writers_of.has(_kind) or parts.size() > 3:
+		var kinds: String = ", ".join(_writers_of.keys())
+		return "--to is %s and perhaps :HOST:PORT, found '%s'" % [kinds, _options["to"]]
 	_port = SourceAddress.PORTS[_kind.trim_suffix("-text")]
 	if parts.size() == 2 and parts[1].is_valid_int():
 		parts = [_kind, _address, parts[1]]
@@ -96,54 +124,68 @@ func _read_receiver() -> String:
 	return ""
 
 
+func _read_types() -> String:
+	for text: String in _options["types"].split(",", false):
+		if not text.is_valid_int() or not MvnWriter.TYPES.has(text.to_int()):
+			return "there is no type '%s' to send; see ./run motion-sender --help" % text
+		_types.append(text.to_int())
+	return "--types names none" if _types.is_empty() else ""
+
+
 func _open() -> String:
 	var files: PackedStringArray = _options["bvh"].split(",", false)
 	if files.is_empty():
 		return "which motion? --bvh FILE"
+	var count: int = _options["people"].to_int()
+	if count == 0:
+		count = files.size()
+	if _kind == "natnet" and count > 1:
+		return "natnet sends one person"
+	var first: int = _options["first"].to_int()
+	if first + count > 256:
+		return "people have numbers up to 255"
 	_random.seed = _options["seed"].to_int()
-	for number: int in files.size():
+	for number: int in count:
 		var source: BvhSource = BvhSource.new()
-		source.open(files[number], _options["unit"], _options["up"])
+		@warning_ignore("integer_division")
+		source.start_s = number / files.size() * LATER_S
+		source.open(files[number % files.size()], _options["unit"], _options["up"])
 		if source.error != "":
 			return source.error
-		var peer: PacketPeerUDP = PacketPeerUDP.new()
-		# Motive answers on its command port.
-		var own: int = NatnetReader.COMMAND_PORT if _kind == "natnet" else 0
-		if peer.bind(own, "0.0.0.0") != OK:
-			return "UDP port %d is in use: is Motive here?" % own
-		peer.set_broadcast_enabled(true)
-		peer.set_dest_address(_address, _port)
 		_people.append(source)
-		_writers.append(_writer(source.get_body(), number))
-		_peers.append(peer)
-	if _kind == "natnet" and files.size() > 1:
-		return "natnet sends one person"
-	print("sends %s to %s:%d: %d people" % [_kind, _address, _port, _people.size()])
+		var name: String = _options["name"] + (" %d" % (number + 1) if count > 1 else "")
+		_writers.append(_writer(source.get_body(), first + number, name))
+		var fault: String = _open_peer()
+		if fault != "":
+			return fault
+	print("sends %s to %s:%d: %d people" % [_kind, _address, _port, count])
 	return ""
 
 
-func _writer(p_size: BodySize, p_number: int) -> StreamWriter:
-	match _kind:
-		"vmc":
-			return VmcWriter.new(p_size)
-		"rokoko":
-			var rokoko: RokokoWriter = RokokoWriter.new(p_size)
-			rokoko.name = "Dismount %d" % (p_number + 1)
-			return rokoko
-		"mocopi":
-			return MocopiWriter.new(p_size)
-		"natnet":
-			return NatnetWriter.new(p_size)
-		"webcam":
-			return WebcamWriter.new(p_size)
-		"slime":
-			var slime: SlimeWriter = SlimeWriter.new()
-			slime.mac[5] = p_number + 1
-			return slime
-	var axis: AxisWriter = AxisWriter.new(p_size)
-	axis.is_text = _kind == "axis-text"
-	axis.avatar = p_number
-	return axis
+## A socket for each person, as from a suit each; MVN sends all from one.
+func _open_peer() -> String:
+	if _kind == "mvn" and not _peers.is_empty():
+		_peers.append(_peers[0])
+		return ""
+	var peer: PacketPeerUDP = PacketPeerUDP.new()
+	# Motive answers on its command port.
+	var own: int = NatnetReader.COMMAND_PORT if _kind == "natnet" else 0
+	if peer.bind(own, "0.0.0.0") != OK:
+		return "UDP port %d is in use: is Motive here?" % own
+	peer.set_broadcast_enabled(true)
+	peer.set_dest_address(_address, _port)
+	_peers.append(peer)
+	return ""
+
+
+func _writer(p_size: BodySize, p_number: int, p_name: String) -> StreamWriter:
+	var writer: StreamWriter = _writers_of[_kind].new(p_size)
+	writer.set_person(p_number, p_name)
+	if writer is MvnWriter:
+		(writer as MvnWriter).types = _types
+	if writer is AxisWriter:
+		(writer as AxisWriter).is_text = _kind == "axis-text"
+	return writer
 
 
 func _play() -> void:
@@ -159,7 +201,8 @@ func _play() -> void:
 			_post()
 		for person: int in _people.size():
 			_hear(person)
-			var pose: PoseSample = _people[person].pose_at(number / rate)
+			var source: BvhSource = _people[person]
+			var pose: PoseSample = source.pose_at(source.start_s + number / rate)
 			pose.root.x += person * APART_M
 			pose.time_usec = unix + roundi(number * 1e6 / rate)
 			for datagram: PackedByteArray in _writers[person].write(pose):

@@ -14,6 +14,10 @@ var name: String = "chr00"
 var _counter: int = 0
 
 
+func set_person(p_number: int, _p_name: String) -> void:
+	avatar = p_number
+
+
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:
 	var values: PackedFloat32Array = _values(p_pose)
 	_counter += 1

@@ -2,7 +2,7 @@ extends SceneTree
 ## Writes the motion of an emulated suit's wearer from a BVH file.
 ##
 ## [codeblock lang=text]
-## godot --headless --path . -s scripts/mocap/emulator/write_suit_motion.gd --
+## godot --headless --path . -s scripts/emulation/write_suit_motion.gd --
 ##     --bvh=FILE --out=FILE [--rate=HZ] [--unit=U] [--up=y|z]
 ## [/codeblock]
 ## Exit code 0; 2 with one line on the error output if the call is wrong or a file cannot be used.

@@ -1,5 +1,5 @@
 class_name MvnWriter
-extends RefCounted
+extends StreamWriter
 ## Writes a person's poses as MVN would: for trying and testing without a suit.
 ##
 ## Limbs are the segments that [MvnSegments] names; the others lie between them. What MVN measures
@@ -11,6 +11,11 @@ const TYPES: Array[int] = [1, 2, 3, 5, 12, 13, 20, 21, 22, 23, 24, 25]
 const GRAVITY: float = 9.81
 const FIELD: Vector3 = Vector3(0.39, 0.0, -0.92)
 
+## Types that change seldom are sent once a second.
+const SELDOM: Array[int] = [12, 13]
+
+## What it writes of each pose, of [constant TYPES].
+var types: PackedInt32Array = [2, 12, 13, 23]
 ## The character's number, 0 to 255, and its name.
 var character: int = 0
 var name: String = "Dismount"
@@ -23,10 +28,15 @@ var _accelerations: PackedVector3Array = PackedVector3Array()
 var _rates: PackedVector3Array = PackedVector3Array()
 var _rate_changes: PackedVector3Array = PackedVector3Array()
 var _time_s: float = NAN
+var _began_usec: int = -1
+var _number: int = 0
+# The second in which types that change seldom were sent last.
+var _second: int = -1
 
 
 ## For somebody of a size.
 func _init(p_size: BodySize = BodySize.new()) -> void:
+	super(p_size)
 	var joints: PackedVector3Array = p_size.joints()
 	_rest.resize(MvnSegments.COUNT)
 	for limb: int in Limbs.COUNT:
@@ -43,6 +53,25 @@ func _init(p_size: BodySize = BodySize.new()) -> void:
 	_velocities.resize(MvnSegments.COUNT)
 	_accelerations.resize(MvnSegments.COUNT)
 	_rate_changes.resize(MvnSegments.COUNT)
+
+
+func set_person(p_number: int, p_name: String) -> void:
+	character = p_number
+	name = p_name
+
+
+func write(p_pose: PoseSample) -> Array[PackedByteArray]:
+	if _began_usec < 0:
+		_began_usec = p_pose.time_usec
+	var time_s: float = (p_pose.time_usec - _began_usec) / 1e6
+	take(p_pose, time_s)
+	var datagrams: Array[PackedByteArray] = []
+	for type: int in types:
+		if not SELDOM.has(type) or floori(time_s) != _second:
+			datagrams.append_array(MvnEncoder.encode(sample(type, _number, roundi(time_s * 1e3))))
+	_second = floori(time_s)
+	_number += 1
+	return datagrams
 
 
 ## Takes a pose at a time, s.

@@ -8,6 +8,10 @@ var name: String = "Dismount"
 var _began_usec: int = -1
 
 
+func set_person(_p_number: int, p_name: String) -> void:
+	name = p_name
+
+
 func write(p_pose: PoseSample) -> Array[PackedByteArray]:
 	if _began_usec < 0:
 		_began_usec = p_pose.time_usec
