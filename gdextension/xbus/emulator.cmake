@@ -23,9 +23,9 @@ if(DISMOUNT_UMOCKDEV)
 	find_package(Threads REQUIRED)
 	dismount_add_program(suit_emulator SOURCES
 		emulator/front/device_node.cpp
+		emulator/front/interface_claims.cpp
 		emulator/front/session.cpp
 		emulator/front/suit_emulator.cpp
-		emulator/front/usbfs_interfaces.cpp
 		emulator/front/usbfs_node.cpp
 		LIBRARIES xbus_emulator umockdev::umockdev Threads::Threads ${CMAKE_DL_LIBS}
 	)

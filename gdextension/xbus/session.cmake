@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Brings a suit up and keeps it measuring; no input, no output.
 dismount_add_core_library(xbus_session SOURCES
+	src/session/device_setup.cpp
 	src/session/exchange.cpp
 	src/session/measurement.cpp
 	src/session/output_choice.cpp

@@ -101,8 +101,8 @@ func _send(p_slot: int, p_bus: StringName) -> void:
 
 func _turn(p_slot: int, p_ears: Transform3D) -> void:
 	# What is in the head has no direction: ahead.
-	var way: Vector3 = (_places[p_slot] - p_ears.origin) * p_ears.basis
-	_effects[p_slot].set_direction(way if way.length() > 0.05 else Vector3.FORWARD)
+	var offset: Vector3 = (_places[p_slot] - p_ears.origin) * p_ears.basis
+	_effects[p_slot].set_direction(offset if offset.length() > 0.05 else Vector3.FORWARD)
 
 
 func _ears() -> Transform3D:

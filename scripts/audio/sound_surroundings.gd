@@ -41,11 +41,11 @@ func advance(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3) -> void:
 
 ## Whether a wall is between the ears and a position, m.
 func is_walled(p_space: PhysicsDirectSpaceState3D, p_ear: Vector3, p_place: Vector3) -> bool:
-	var way: Vector3 = p_place - p_ear
-	if way.length() < NEAR_SOURCE_M * 2.0:
+	var offset: Vector3 = p_place - p_ear
+	if offset.length() < NEAR_SOURCE_M * 2.0:
 		return false
 	_query.from = p_ear
-	_query.to = p_place - way.normalized() * NEAR_SOURCE_M
+	_query.to = p_place - offset.normalized() * NEAR_SOURCE_M
 	return not p_space.intersect_ray(_query).is_empty()
 
 

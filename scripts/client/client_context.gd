@@ -4,7 +4,7 @@ extends RefCounted
 ## one part leaves for the others in each frame.
 
 ## A notice of the server, or of this program, that the user must see on every display.
-signal told(p_text: String)
+signal notified(p_text: String)
 ## The session is to end with an exit code, such as [constant StateStream.EXIT_DONE].
 signal leave_wanted(p_exit_code: int)
 ## The session cannot go on: an exit code, and why.

@@ -62,8 +62,8 @@ static func push_limb(
 	)
 	var given: Vector3 = p_impulse.limit_length(MAX_LIMB_GAIN * mass)
 	var weight: float = maxf(p_impulse.length(), p_together)
-	var way: Vector2 = _FLINCH if weight < _FALL_IMPULSE else _FELLED
-	motor.hit(given, p_point, way.x, way.y)
+	var flinch: Vector2 = _FLINCH if weight < _FALL_IMPULSE else _FELLED
+	motor.hit(given, p_point, flinch.x, flinch.y)
 
 
 ## What moves a person, of whom a limb is known; null where nobody does.

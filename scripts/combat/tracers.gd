@@ -96,10 +96,10 @@ func _show(p_eye: Vector3) -> void:
 		var shell: Shell = _shells[index]
 		var velocity: Vector3 = shell.flight.get_velocity()
 		var ahead: Vector3 = velocity.normalized()
-		var way: float = minf(STREAK_S, shell.flight.get_age()) * velocity.length()
+		var length: float = minf(STREAK_S, shell.flight.get_age()) * velocity.length()
 		var width: float = maxf(shell.ammunition.calibre * _WIDTH, _THIN_M)
 		width += p_eye.distance_to(shell.from) * _WIDEN
-		heads[index] = Vector4(shell.from.x, shell.from.y, shell.from.z, maxf(way, width))
+		heads[index] = Vector4(shell.from.x, shell.from.y, shell.from.z, maxf(length, width))
 		headings[index] = Vector4(ahead.x, ahead.y, ahead.z, width)
 	_shown.set_input(&"heads", heads)
 	_shown.set_input(&"headings", headings)

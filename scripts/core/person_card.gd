@@ -63,7 +63,7 @@ func is_resized(p_other: PersonCard, p_step: float) -> bool:
 func find_fault() -> String:
 	if index < 0 or index >= MAX_PEOPLE:
 		return "a client has at most %d people, found number %d" % [MAX_PEOPLE, index]
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not (hip_height > MIN_HIPS_M and hip_height < MAX_HIPS_M):
 		return "a hip height of %f m is no person's" % hip_height
 	if not lengths.is_empty() and lengths.size() != Limbs.COUNT:

@@ -34,7 +34,7 @@ func is_sound() -> bool:
 		var outer: float = joints_in_parent[limb].length()
 		var inner: float = joints_in_limb[limb].length()
 		var norm: float = reset_orientations[limb].length()
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not (outer < MAX_M and inner < MAX_M and norm > 0.99 and norm < 1.01):
 			return false
 	return true

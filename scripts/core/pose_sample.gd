@@ -59,7 +59,7 @@ func find_fault() -> String:
 		return fault
 	for limb: int in Limbs.COUNT:
 		var norm: float = orientation(limb).length()
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not (norm > _MIN_NORM and norm < _MAX_NORM):
 			return "%s has no rotation (norm %f)" % [Limbs.BONES[limb], norm]
 	return ""
@@ -68,5 +68,5 @@ func find_fault() -> String:
 ## Why the root cannot be one, or an empty text: all that there is to check of a pose whose
 ## rotations a decoder has made.
 func find_root_fault() -> String:
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	return "" if root.length() <= _MAX_ROOT_M else "the root is not within 10 km of the origin"

@@ -7,7 +7,7 @@ extends Node
 ## always works.
 
 ## A notice for the user.
-signal told(p_text: String)
+signal notified(p_text: String)
 ## The mode cannot go on; [param p_why] says what is wrong and how to mend it.
 signal failed(p_why: String)
 

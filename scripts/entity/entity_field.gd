@@ -98,7 +98,7 @@ func size() -> int:
 func find_fault() -> String:
 	if name == &"":
 		return "a field has no name"
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not (is_finite(min_value) and is_finite(max_value) and min_value < max_value):
 		return "field '%s': the highest value must be above the lowest" % name
 	if not (resolution > 0.0 and (max_value - min_value) / resolution <= MAX_STEPS):

@@ -21,7 +21,7 @@ signal state_received(p_bytes: PackedByteArray, p_arrival_usec: int)
 ## [WearerMessage].
 signal calibration_asked(p_index: int, p_pose: int, p_number: int)
 ## The server has something to say to our user.
-signal told(p_text: String)
+signal notified(p_text: String)
 
 ## The state of a connection.
 enum State {
@@ -246,7 +246,7 @@ func close() -> void:
 
 
 func _on_troubled(_peer_number: int, _key: String, p_what: String) -> void:
-	told.emit(p_what)
+	notified.emit(p_what)
 
 
 func _on_failed(p_why: String) -> void:
@@ -357,7 +357,7 @@ func _on_control(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
 			_handshake.forget_session()
 			_give_up(notice.text)
 		Protocol.Notice.TELL:
-			told.emit(notice.text)
+			notified.emit(notice.text)
 	return true
 
 

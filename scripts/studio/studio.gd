@@ -179,7 +179,7 @@ func _connect_parts() -> void:
 			code.replace_text(HeaderEdit.set_default(code.text, name, value))
 	)
 	panel.input_wanted.connect(preview.effect.set_input)
-	_session.told.connect(func(text: String) -> void: _notice = text)
+	_session.notified.connect(func(text: String) -> void: _notice = text)
 	_bar.asked.connect(do)
 	_bar.effect_chosen.connect(open_effect)
 	_bar.speed_changed.connect(func(value: float) -> void: preview.speed = value)

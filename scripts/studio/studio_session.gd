@@ -4,7 +4,7 @@ extends RefCounted
 ## Sends effects from the studio into a running session, as an instructor.
 
 ## Something to tell the user.
-signal told(p_text: String)
+signal notified(p_text: String)
 
 ## Server, with its port.
 var address: String = "127.0.0.1:%d" % Protocol.DEFAULT_PORT
@@ -57,7 +57,7 @@ func _join() -> void:
 	_link.lost.connect(_on_ended)
 	_control = InstructorControl.new(_link)
 	_control.answered.connect(_on_answered)
-	told.emit("joining the session at %s" % address)
+	notified.emit("joining the session at %s" % address)
 	_link.open(parts[0], port, request, password)
 
 
@@ -65,15 +65,15 @@ func _send() -> void:
 	if _waiting.is_empty():
 		return
 	if _control.send_effect(_waiting[0], _waiting[1]) == 0:
-		told.emit("the effect is too large to be sent")
+		notified.emit("the effect is too large to be sent")
 	_waiting.clear()
 
 
 func _on_answered(p_answer: AnswerMessage) -> void:
-	told.emit(p_answer.text)
+	notified.emit(p_answer.text)
 
 
 func _on_ended(p_why: String) -> void:
-	told.emit("not sent: " + p_why)
+	notified.emit("not sent: " + p_why)
 	_link = null
 	_control = null

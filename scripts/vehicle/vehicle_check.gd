@@ -88,7 +88,7 @@ static func _check_engine(p_parameters: VehicleParameters) -> String:
 		if gears.is_empty():
 			return "gearbox_forward and gearbox_reverse must have a gear each"
 		for ratio: float in gears:
-			# Written so that NaN fails too.
+			# A comparison that NaN fails, too.
 			if not (ratio > 0.0 and is_finite(ratio)):
 				return "gearbox_forward and gearbox_reverse must be above zero, found %s" % ratio
 	return ""

@@ -13,7 +13,7 @@ signal entered(p_entity: int, p_name: String)
 ## Somebody or something has gone out.
 signal left(p_entity: int, p_name: String)
 ## The text that screens show when somebody or something comes or goes.
-signal told(p_text: String)
+signal notified(p_text: String)
 
 ## What shape it has.
 enum Form {
@@ -216,7 +216,7 @@ func _on_happened(p_event: StringName, p_values: PackedFloat32Array) -> void:
 	if is_told:
 		var text: String = "%s %s %s" % [who, p_event, get_title()]
 		Log.info("world", text)
-		told.emit(text)
+		notified.emit(text)
 
 
 static func _make_type() -> EntityType:

@@ -140,7 +140,7 @@ func test_a_role_passes_over_the_environment_of_others() -> void:
 	contains(ProgramOptions.parse([], "server").error, "DISMOUNT_MAX_CLIENTS expects")
 
 
-func test_the_first_fault_is_told() -> void:
+func test_the_first_fault_is_reported() -> void:
 	contains(ProgramOptions.parse(["--port=x", "--rate=y"]).error, "--port")
 
 

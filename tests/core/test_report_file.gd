@@ -28,7 +28,7 @@ func test_is_due_again_after_a_second() -> void:
 	is_true(report.is_due())
 
 
-func test_is_due_as_often_as_it_is_told() -> void:
+func test_is_due_as_often_as_it_is_reported() -> void:
 	var report: ReportFile = ReportFile.new(PATH, 20.0)
 	report.write({})
 	report._written_usec -= int(19.0 * 1e6)

@@ -167,7 +167,7 @@ func test_damaged_files_are_survived() -> void:
 		is_true(_played.size() <= 8)
 
 
-func test_what_is_no_recording_is_told() -> void:
+func test_what_is_no_recording_is_reported() -> void:
 	var player: RecordedStream = RecordedStream.of_file("user://no_such_recording")
 	contains(player.open(), "cannot read user://no_such_recording: ")
 	var cases: Array[PackedByteArray] = [

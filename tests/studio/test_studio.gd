@@ -126,7 +126,7 @@ func test_one_thing_is_measured_or_filmed_at_a_time() -> void:
 func test_send_goes_to_the_address_that_stands_there() -> void:
 	var session: StudioSession = StudioSession.new()
 	var told: PackedStringArray = []
-	session.told.connect(func(text: String) -> void: told.append(text))
+	session.notified.connect(func(text: String) -> void: told.append(text))
 	for port: int in [40001, 40001, 40002]:
 		session.address = "127.0.0.1:%d" % port
 		session.send("fountain", EffectTexts.GOOD)

@@ -12,7 +12,7 @@ from toolchain.paths import ROOT
 
 # Debian calls these essential: they are on every machine.
 TOOLS = ("bash", "env", "cat", "head", "dirname", "readlink")
-COMMANDS = ("latency", "load", "bench", "bvh", "mvn-sender", "xbus-decode", "suit-emulator")
+COMMANDS = ("latency", "load", "bench", "bvh", "xbus-decode", "suit-emulator")
 COMMANDS += ("motion-sender", "platform-watch")
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`./run mvn-sender`, heard by a socket and read by what docs/mvn.md tells alone."""
+"""`./run motion-sender --to=mvn`, heard by a socket and read by what docs/mvn.md tells alone."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def send(*options: str) -> list[Head]:
         # Meanwhile: a second of all types is more than a socket's buffer need hold.
         reader = threading.Thread(target=_receive, args=(here, datagrams), daemon=True)
         reader.start()
-        done = run("mvn-sender", "--bvh", "01_01.bvh", "--port", str(port), *options)
+        done = run("motion-sender", "--to", f"mvn:{port}", "--bvh", "01_01.bvh", *options)
         here.sendto(b"", ("127.0.0.1", port))
         reader.join(60)
         assert done.returncode == 0, done.stderr
@@ -69,7 +69,7 @@ def _receive(here: socket.socket, datagrams: list[bytes]) -> None:
 
 def test_every_type_of_two_people_comes_at_its_rate() -> None:
     types = "01,02,03,05,12,13,20,21,22,23,24,25"
-    heads = send("--types", types, "--characters=2", "--seconds=1", "--rate=30")
+    heads = send("--types", types, "--people=2", "--seconds=1", "--rate=30")
     assert {head.character for head in heads} == {0, 1}
     samples: dict[tuple[int, int], set[int]] = collections.defaultdict(set)
     for head in heads:
@@ -95,7 +95,7 @@ def test_every_type_of_two_people_comes_at_its_rate() -> None:
 
 
 def test_loss_is_what_was_asked_for() -> None:
-    heads = send("--types=02", "--seconds=2", "--rate=200", "--loss=30")
+    heads = send("--types=02", "--seconds=2", "--rate=200", "--loss=0.3")
     assert 200 < len(heads) < 360
 
 
@@ -103,13 +103,13 @@ def test_what_is_wrong_is_said_in_one_line() -> None:
     for options, text in (
         (["--bvh", "nothing.bvh"], "nothing.bvh"),
         (["--bvh=01_01.bvh", "--types=02,99"], "'99'"),
-        (["--bvh=01_01.bvh", "--characters=1.5"], "--characters"),
+        (["--bvh=01_01.bvh", "--people=1.5"], "--people"),
         (["--bvh=01_01.bvh", "--wrong=1"], "--wrong"),
     ):
-        done = run("mvn-sender", *options)
+        done = run("motion-sender", "--to=mvn", *options)
         assert done.returncode == 2, (options, done.stderr)
         # ./run knows the options itself, and says so before anything is set up.
-        begins = ("mvn-sender: ", "./run mvn-sender has no option ")
+        begins = ("motion-sender: ", "./run motion-sender has no option ")
         lines = [line for line in done.stderr.splitlines() if line.startswith(begins)]
         assert len(lines) == 1, (options, done.stderr)
         assert text in lines[0]

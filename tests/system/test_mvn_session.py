@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""People of MVN's network stream in a session: `./run mvn-sender` in place of MVN."""
+"""People of MVN's network stream in a session: `./run motion-sender` in place of MVN."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from toolchain.help_texts import MOTION_SENDER
 from toolchain.paths import CLIPS, ROOT
 from toolchain.processes import free_port
 
@@ -23,8 +24,8 @@ NAMES = {"Dismount 1", "Dismount 2", "Dismount 3"}
 def sender(world: World, port: int, *options: str) -> Iterator[None]:
     """Sends until its end."""
     godot = engine()
-    script = ["--path", str(ROOT), "-s", "res://scripts/mocap/mvn/mvn_sender.gd"]
-    own = [f"--bvh={CLIPS / '01_01.bvh'}", f"--port={port}", *options]
+    script = ["--path", str(ROOT), "-s", MOTION_SENDER]
+    own = [f"--bvh={CLIPS / '01_01.bvh'}", f"--to=mvn:{port}", *options]
     name = f"sender{len(world.processes)}"
     command = [str(godot.program), "--headless", "--no-header", *script, "--", *own]
     process = world.start(name, command, godot.environment(), reports=False)
@@ -56,7 +57,7 @@ studio = shared(Studio)
 
 def test_three_people_of_mvn_come_move_and_leave(studio: Studio) -> None:
     world, port, trainee = studio.world, studio.port, studio.trainee
-    with sender(world, port, "--characters=3"):
+    with sender(world, port, "--people=3"):
         await_people(trainee, NAMES)
         recording = world.folder / "three"
         observer = world.client("observer", f"--record={recording}")

@@ -29,7 +29,7 @@ func test_a_value_is_read_with_its_unit_and_the_digits_of_the_step() -> void:
 		equal(_row.text(), step[1])
 
 
-func test_only_the_users_moves_are_told() -> void:
+func test_only_the_users_moves_are_reported() -> void:
 	_row.show_value(3.0)
 	_row.set_range(Vector3(0.0, 2.0, 0.5))
 	equal(_moved, [] as Array[float])

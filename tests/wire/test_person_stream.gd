@@ -10,7 +10,6 @@ func test_a_motion_is_read_back_within_its_error() -> void:
 			var pose: PackedFloat32Array = _wave(tick)
 			equal(stream.push(Vector3(0.01 * tick, 1.0, 0.0), pose), tick)
 			is_true(WireClip.worst_angle(pose, stream.restore(tick)) <= error)
-			is_true(stream.restore_root(tick).distance_to(Vector3(0.01 * tick, 1.0, 0.0)) < 0.0009)
 		var whole: PackedByteArray = stream.encode(50, -1, -1)
 		var changes: PackedByteArray = stream.encode(50, 48, 46)
 		is_true(stream.decode(whole, 50, -1, -1))

@@ -31,7 +31,7 @@ func before_each() -> void:
 	_zone.name = "BackYard"
 	_zone.notices = TriggerZone.Notices.THINGS
 	add_child(_zone)
-	_zone.told.connect(func(text: String) -> void: _heard.append(text))
+	_zone.notified.connect(func(text: String) -> void: _heard.append(text))
 	_zone.entered.connect(func(id: int, who: String) -> void: _heard.append("+%d %s" % [id, who]))
 	_zone.left.connect(func(id: int, who: String) -> void: _heard.append("-%d %s" % [id, who]))
 	_host.names[2000] = "BackYard"

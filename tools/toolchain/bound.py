@@ -16,6 +16,8 @@ from collections.abc import Iterable
 from .paths import ROOT
 from .tracked import tracked
 
+# At most so many members are named by tests alone: a test goes through what users use.
+ONLY_TESTED_LIMIT = 44
 KEPT = ROOT / "tools" / "toolchain" / "bound.txt"
 _METHOD = re.compile(r'D_METHOD\(\s*"(\w+)"[^;]*?&(\w+)::')
 _PROPERTY = re.compile(
@@ -64,14 +66,26 @@ def check(found: Iterable[str], kept: Iterable[str]) -> list[str]:
     return faults + [f"bound.txt: {member} is named or is not bound: remove it" for member in stale]
 
 
-def main() -> int:
-    """Checks the repository; returns 1 if something is bound for nobody."""
+def names_in(*folders: str) -> set[str]:
+    """Every word of the scripts, scenes, resources and Python files of some folders."""
     named: set[str] = set()
-    folders = ("scripts", "scenes", "addons", "tests", "examples")
     for name in tracked(*(f"{d}/*.{end}" for d in folders for end in ("gd", "tscn", "tres", "py"))):
         named |= set(re.findall(r"\w+", (ROOT / name).read_text(encoding="utf-8")))
+    return named
+
+
+def main() -> int:
+    """Checks the repository; returns 1 if something is bound for nobody."""
+    of_users = names_in("scripts", "scenes", "addons", "examples")
     sources = [(ROOT / name).read_text() for name in tracked("gdextension/*/binding/*.cpp")]
-    faults = check(find_unnamed(sources, named), KEPT.read_text().splitlines())
+    unnamed = find_unnamed(sources, of_users | names_in("tests"))
+    faults = check(unnamed, KEPT.read_text().splitlines())
+    only_tested = sorted(set(find_unnamed(sources, of_users)) - set(unnamed))
+    if len(only_tested) > ONLY_TESTED_LIMIT:
+        faults.append(
+            f"{len(only_tested)} members are named by tests alone, {ONLY_TESTED_LIMIT} may be: "
+            + ", ".join(only_tested)
+        )
     print("\n".join(faults))
     return 1 if faults else 0
 

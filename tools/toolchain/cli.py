@@ -37,7 +37,7 @@ from .stats import GOALS_MISSED, LEFT_OUT
 FLAGS = ("--no-goals",)
 FILES = ("bvh", "file", "report")
 # Whose options are all in their help; the roles' are checked by the program itself.
-CHECKED = ("bvh", "editor", "export", "mvn-sender", "options-doc", "package", "suit-emulator")
+CHECKED = ("bvh", "editor", "export", "options-doc", "package", "suit-emulator")
 CHECKED += ("motion-sender", "platform-watch", "xbus-decode")
 # What a trainee moves by who names no source of motion.
 CLIP = CLIPS / "01_01.bvh"
@@ -50,8 +50,7 @@ def main(arguments: list[str]) -> int:
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
-        "motion-sender": functools.partial(_sender, "emulator/motion_sender.gd"),
-        "mvn-sender": functools.partial(_sender, "mvn/mvn_sender.gd"),
+        "motion-sender": _sender,
         "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
@@ -174,10 +173,10 @@ def _bvh(arguments: list[str]) -> int:
     )
 
 
-def _sender(script: str, arguments: list[str]) -> int:
-    """Runs a program of scripts/mocap that sends motion."""
+def _sender(arguments: list[str]) -> int:
+    """Runs the program that sends motion."""
     given = normalise(arguments)
-    return _script(prepare(export=False), [], f"res://scripts/mocap/{script}", given)
+    return _script(prepare(export=False), [], help_texts.MOTION_SENDER, given)
 
 
 def benchmarks() -> dict[str, Path]:

@@ -17,6 +17,8 @@ from .paths import CLIPS, ROOT
 from .project import EXTENSIONS
 
 FOLDER = ROOT / "tools" / "help"
+# Plays motion files in place of suits and other programs.
+MOTION_SENDER = "res://scripts/emulation/motion_sender.gd"
 MAIN_FILE = ROOT / "tools" / "help.txt"
 # How the program marks where the text of a role begins: OptionsHelp.all_roles().
 _ROLE_MARK = "=== "
@@ -35,8 +37,7 @@ Displays
 
 Motion capture without a suit
   ./run suit-emulator [-- COMMAND]  a suit on USB that is not there, for the program behind --
-  ./run mvn-sender          plays a motion file as MVN's network stream
-  ./run motion-sender       plays it as VMC, SlimeVR, Rokoko, Axis Studio, mocopi, NatNet, a webcam
+  ./run motion-sender       plays a motion file as MVN's stream, VMC, SlimeVR, a webcam and others
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
 
@@ -130,8 +131,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "studio": studio.HELP,
         "suit-emulator": suit.HELP,
         "wall": wall.HELP,
-        "motion-sender": _sender(godot, "motion-sender", "emulator/motion_sender.gd"),
-        "mvn-sender": _sender(godot, "mvn-sender", "mvn/mvn_sender.gd"),
+        "motion-sender": _sender(godot),
         "xbus-decode": _xbus_decode(),
     }
     files = {FOLDER / f"{name}.txt": text for name, text in texts.items()}
@@ -164,12 +164,12 @@ def _roles(godot: Godot) -> tuple[dict[str, str], str]:
     return texts, "\n".join(lines)
 
 
-def _sender(godot: Godot, name: str, script: str) -> str:
-    """The help of a program that plays motion files in place of somebody's suit."""
-    arguments = ["--no-header", "--path", str(ROOT), "-s", f"res://scripts/mocap/{script}"]
+def _sender(godot: Godot) -> str:
+    """The help of the program that plays motion files in place of somebody's suit."""
+    arguments = ["--no-header", "--path", str(ROOT), "-s", MOTION_SENDER]
     code, text = godot.call([*arguments, "--", "--help"], 120)
     if code != 0 or not text.startswith("usage"):
-        raise Failure(f"{name} prints no help (exit {code}):\n{tail(text)}")
+        raise Failure(f"motion-sender prints no help (exit {code}):\n{tail(text)}")
     return text.removeprefix("usage: ")
 
 

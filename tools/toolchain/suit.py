@@ -117,7 +117,7 @@ def motion_stream(godot: Godot, bvh: Path) -> Path:
     if not bvh.exists():
         raise Failure(f"There is no file {bvh}.", 2)
     stream = make_folder(BUILD / "suit") / f"{bvh.stem}.{os.getpid()}.motion"
-    arguments = ["--path", str(ROOT), "-s", "res://scripts/mocap/emulator/write_suit_motion.gd"]
+    arguments = ["--path", str(ROOT), "-s", "res://scripts/emulation/write_suit_motion.gd"]
     code, text = godot.call([*arguments, "--", f"--bvh={bvh}", f"--out={stream}"], 120)
     if code != 0 or not stream.exists():
         raise Failure(f"{bvh} gives no motion for a suit:\n{tail(text, 3)}", 2)

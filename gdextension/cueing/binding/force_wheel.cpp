@@ -47,7 +47,6 @@ void ForceWheel::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("open", "path"), &ForceWheel::open);
 	ClassDB::bind_method(D_METHOD("close"), &ForceWheel::close);
 	ClassDB::bind_method(D_METHOD("is_open"), &ForceWheel::is_open);
-	ClassDB::bind_method(D_METHOD("is_connected_to_device"), &ForceWheel::is_connected_to_device);
 	ClassDB::bind_method(D_METHOD("can", "force"), &ForceWheel::can);
 	ClassDB::bind_method(D_METHOD("get_trouble"), &ForceWheel::get_trouble);
 	ClassDB::bind_method(D_METHOD("set_gain", "gain"), &ForceWheel::set_gain);

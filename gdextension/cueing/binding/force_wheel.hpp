@@ -28,7 +28,6 @@ public:
 	void open(const String &p_path);
 	void close() { _core.close(); }
 	bool is_open() const { return _core.is_open(); }
-	bool is_connected_to_device() const { return _core.report().is_there; }
 	bool can(Force p_force) const;
 	String get_trouble() const;
 	void set_gain(double p_gain) { _core.set_gain(p_gain); }

@@ -85,14 +85,12 @@ void PlatformSender::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("teleport"), &PlatformSender::teleport);
 	ClassDB::bind_method(D_METHOD("set_paused", "paused"), &PlatformSender::set_paused);
 	ClassDB::bind_method(D_METHOD("get_error"), &PlatformSender::get_error);
-	ClassDB::bind_method(D_METHOD("get_sent"), &PlatformSender::get_sent);
 	ClassDB::bind_method(D_METHOD("get_latest"), &PlatformSender::get_latest);
 	ClassDB::bind_method(D_METHOD("get_position"), &PlatformSender::get_position);
 	ClassDB::bind_method(D_METHOD("get_attitude"), &PlatformSender::get_attitude);
 	ClassDB::bind_method(D_METHOD("get_specific_force"), &PlatformSender::get_specific_force);
 	ClassDB::bind_method(D_METHOD("get_rates"), &PlatformSender::get_rates);
 	ClassDB::bind_method(D_METHOD("get_gain"), &PlatformSender::get_gain);
-	ClassDB::bind_method(D_METHOD("is_stale"), &PlatformSender::is_stale);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "outsim_id"), "set_outsim_id", "get_outsim_id");
 	BIND_ENUM_CONSTANT(FORMAT_OWN);
 	BIND_ENUM_CONSTANT(FORMAT_OUTSIM);

@@ -38,14 +38,12 @@ public:
 	void teleport() { _core.teleport(); }
 	void set_paused(bool p_paused) { _core.set_paused(p_paused); }
 	String get_error() const;
-	int64_t get_sent() const { return int64_t(_core.report().sent); }
 	double get_latest() const { return _core.report().latest_s; }
 	Vector3 get_position() const;
 	Vector3 get_attitude() const;
 	Vector3 get_specific_force() const;
 	Vector3 get_rates() const;
 	double get_gain() const { return _core.report().message.gain; }
-	bool is_stale() const { return _core.report().message.is_stale; }
 
 protected:
 	static void _bind_methods();

@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "visibility.hpp"
 #include "directions.hpp"
-#include "visibility_dice.hpp"
 #include "workers.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <utility>
 
 namespace level {
 
@@ -27,64 +24,9 @@ constexpr float STANDING_M = 2.2f;
 
 } // namespace
 
-std::array<int, 3> CellGrid::index_of(std::size_t p_cell) const {
-	const auto y = int(p_cell % counts[1]);
-	const auto rest = int(p_cell / counts[1]);
-	return { rest / counts[2], y, rest % counts[2] };
-}
-
-std::size_t CellGrid::number_of(const std::array<int, 3> &p_index) const {
-	return (std::size_t(p_index[0]) * counts[2] + p_index[2]) * counts[1] + p_index[1];
-}
-
-bool CellGrid::has(const std::array<int, 3> &p_index) const {
-	for (int axis = 0; axis < 3; axis++) {
-		if (p_index[axis] < 0 || p_index[axis] >= counts[axis]) {
-			return false;
-		}
-	}
-	return true;
-}
-
 Visibility::Visibility(const RayScene &p_scene, const std::vector<Triangle> &p_triangles,
 		const std::vector<int32_t> &p_part_of, int p_parts, const CellGrid &p_grid) :
 		_scene(p_scene), _triangles(p_triangles), _part_of(p_part_of), _parts(p_parts), _grid(p_grid) {}
-
-void Visibility::gather_surfaces() {
-	std::vector<std::map<std::array<int, 3>, std::vector<uint32_t>>> cubes(_parts);
-	for (std::size_t index = 0; index < _triangles.size(); index++) {
-		const Triangle &triangle = _triangles[index];
-		const int32_t part = _part_of[index];
-		if (part < 0 || part >= _parts || !(triangle.normal().length() > 0.0f)) {
-			continue;
-		}
-		const Vec3 middle = (triangle.a + triangle.b + triangle.c) * (1.0f / (3.0f * cluster_m));
-		const std::array<int, 3> cube{ int(std::floor(middle.x)), int(std::floor(middle.y)),
-			int(std::floor(middle.z)) };
-		cubes[part][cube].push_back(uint32_t(index));
-	}
-	_clusters.clear();
-	_clusters_of.assign(_parts, {});
-	for (int part = 0; part < _parts; part++) {
-		for (auto &cube : cubes[part]) {
-			_clusters_of[part].push_back(_clusters.size());
-			_clusters.push_back({ part, std::move(cube.second) });
-		}
-	}
-}
-
-Vec3 Visibility::point_on(const std::vector<uint32_t> &p_cluster, Dice &r_dice, Vec3 &r_normal) const {
-	const auto number = std::size_t(r_dice.next() * float(p_cluster.size()));
-	const Triangle &triangle = _triangles[p_cluster[std::min(number, p_cluster.size() - 1)]];
-	float u = r_dice.next();
-	float v = r_dice.next();
-	if (u + v > 1.0f) {
-		u = 1.0f - u;
-		v = 1.0f - v;
-	}
-	r_normal = triangle.normal();
-	return triangle.a + (triangle.b - triangle.a) * u + (triangle.c - triangle.a) * v;
-}
 
 bool Visibility::is_inside(const Vec3 &p_point) const {
 	int backs = 0;
@@ -100,7 +42,7 @@ bool Visibility::has_floor(const Vec3 &p_point) const {
 
 void Visibility::choose_eyes(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
-		Dice dice(cell + 1);
+		VisibilityDice dice(cell + 1);
 		const std::array<int, 3> index = _small.index_of(cell);
 		const Vec3 corner = _small.origin + Vec3{ float(index[0]), float(index[1]), float(index[2]) } * _small.size;
 		bool is_aloft = true;
@@ -187,7 +129,7 @@ void Visibility::look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds
 
 /// Sends rays close to those that have found something new, and to those of them that do: so the edges of
 /// what is seen are searched (after Wonka et al., "Guided Visibility Sampling", 2006).
-void Visibility::follow(Finds &r_finds, Dice &r_dice) {
+void Visibility::follow(Finds &r_finds, VisibilityDice &r_dice) {
 	for (int left = most_followers; left > 0 && !r_finds.sights.empty();) {
 		const Sight sight = r_finds.sights.back();
 		r_finds.sights.pop_back();
@@ -208,7 +150,7 @@ void Visibility::follow(Finds &r_finds, Dice &r_dice) {
 void Visibility::look(std::size_t p_first, std::size_t p_last) {
 	const std::vector<Vec3> ways = sphere(shower);
 	for (std::size_t cell = p_first; cell < p_last; cell++) {
-		Dice dice(cell + 1'000'003);
+		VisibilityDice dice(cell + 1'000'003);
 		const std::size_t large = large_of(cell);
 		Finds finds;
 		for (const Vec3 &eye : _eyes[cell]) {
@@ -231,13 +173,13 @@ void Visibility::look(std::size_t p_first, std::size_t p_last) {
 /// Looks from parts to all sides.
 void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
 	for (std::size_t number = p_first; number < p_last; number++) {
-		Dice dice(number + 3'000'017);
-		const Cluster &cluster = _clusters[number];
+		VisibilityDice dice(number + 3'000'017);
+		const PartSurfaces::Cluster &cluster = _surfaces.clusters()[number];
 		// Small parts are missed most easily.
-		const int rays = std::max(cluster_rays, part_rays / int(_clusters_of[cluster.part].size()));
+		const int rays = std::max(cluster_rays, part_rays / int(_surfaces.clusters_of(cluster.part).size()));
 		for (int ray = 0; ray < rays; ray++) {
 			Vec3 normal;
-			const Vec3 point = point_on(cluster.triangles, dice, normal);
+			const Vec3 point = _surfaces.choose_point(cluster, dice, normal);
 			const float y = 2.0f * dice.next() - 1.0f;
 			// More of them level, as that is where eyes are.
 			const float height = y * std::fabs(y);
@@ -255,10 +197,95 @@ void Visibility::look_out(std::size_t p_first, std::size_t p_last) {
 	}
 }
 
+/// Looks again for what only neighbours have seen.
+void Visibility::confirm(std::size_t p_first, std::size_t p_last) {
+	const std::size_t count = _small.cell_count();
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		VisibilityDice dice(cell + 4'000'037);
+		const std::array<int, 3> index = _small.index_of(cell);
+		for (int part = 0; part < _parts && !_eyes[cell].empty(); part++) {
+			const uint8_t *known = &_known[part * count];
+			bool is_near = false;
+			for (int side = 0; side < 6 && known[cell] == 0 && !is_near; side++) {
+				std::array<int, 3> other = index;
+				other[side / 2] += side % 2 == 0 ? -1 : 1;
+				is_near = _small.has(other) && known[_small.number_of(other)] != 0;
+			}
+			if (is_near) {
+				confirm_part(cell, part, dice);
+			}
+		}
+	}
+}
+
+void Visibility::confirm_part(std::size_t p_cell, int p_part, VisibilityDice &r_dice) {
+	const std::vector<Vec3> &eyes_here = _eyes[p_cell];
+	const std::vector<std::size_t> &clusters = _surfaces.clusters_of(p_part);
+	const auto choose = [&r_dice](std::size_t p_count) { return std::size_t(r_dice.next() * float(p_count)); };
+	for (int tried = 0; tried < confirming && !clusters.empty(); tried++) {
+		// The higher of two, as it is what is high that is seen over others.
+		const Vec3 &one = eyes_here[choose(eyes_here.size())];
+		const Vec3 &two = eyes_here[choose(eyes_here.size())];
+		const Vec3 &eye = one.y > two.y ? one : two;
+		const auto choose_target = [&] {
+			Vec3 normal;
+			return _surfaces.choose_point(_surfaces.clusters()[clusters[choose(clusters.size())]], r_dice, normal);
+		};
+		Vec3 target = choose_target();
+		const Vec3 second = choose_target();
+		target = second.y > target.y ? second : target;
+		const Vec3 way = target - eye;
+		const float length = way.length();
+		if (!(length > 0.01f)) {
+			continue;
+		}
+		const Hit hit = _scene.closest(eye, way * (1.0f / length), std::min(farthest, length + 0.05f));
+		if (hit.triangle != Hit::NOTHING && _part_of[hit.triangle] == p_part) {
+			note_part(p_part, eye, target);
+			return;
+		}
+	}
+}
+
+/// Makes up for what the rays have missed: a small cell sees what those see that it has a side in common
+/// with and that it looks into.
+void Visibility::widen(std::size_t p_first, std::size_t p_last) {
+	for (std::size_t cell = p_first; cell < p_last; cell++) {
+		uint8_t *row = &_part_seen[cell * _parts];
+		for (int part = 0; part < _parts; part++) {
+			row[part] = _part_marks[part * _small.cell_count() + cell];
+		}
+		const std::array<int, 3> index = _small.index_of(cell);
+		for (int side = 0; side < 4; side++) {
+			std::array<int, 3> other = index;
+			// Not up and down: from above the eyes' height one looks over much.
+			other[side < 2 ? 0 : 2] += side % 2 == 0 ? -1 : 1;
+			if (!_small.has(other) || !looks_into(cell, _small.number_of(other))) {
+				continue;
+			}
+			const std::size_t neighbour = _small.number_of(other);
+			for (int part = 0; part < _parts; part++) {
+				row[part] |= _part_marks[part * _small.cell_count() + neighbour];
+			}
+		}
+	}
+}
+
+bool Visibility::looks_into(std::size_t p_cell, std::size_t p_other) const {
+	for (const Vec3 &eye : _eyes[p_cell]) {
+		for (const Vec3 &target : _eyes[p_other]) {
+			if (!_scene.is_blocked(eye, target)) {
+				return true;
+			}
+		}
+	}
+	return false;
+}
+
 void Visibility::look_at_cells(std::size_t p_first, std::size_t p_last) {
 	const std::size_t count = _grid.cell_count();
 	for (std::size_t from = p_first; from < p_last; from++) {
-		Dice dice(from + 2'000'003);
+		VisibilityDice dice(from + 2'000'003);
 		for (std::size_t to = from + 1; to < count; to++) {
 			std::atomic<uint8_t> &seen = _cell_marks[from * count + to];
 			const std::vector<Vec3> &here = _points[from];
@@ -302,7 +329,7 @@ void Visibility::survey() {
 	_cell_marks = Marks(count * count);
 	_open.assign(count, 0);
 	_eyes.assign(small_count, {});
-	gather_surfaces();
+	_surfaces = PartSurfaces(_triangles, _part_of, _parts, cluster_m);
 	const Workers workers(threads, _progress);
 	const auto share = [&](std::size_t p_count, float p_from, float p_to,
 							   void (Visibility::*p_work)(std::size_t, std::size_t)) {
@@ -312,7 +339,7 @@ void Visibility::survey() {
 	share(small_count, 0.0f, 0.05f, &Visibility::choose_eyes);
 	gather_points();
 	share(small_count, 0.05f, 0.6f, &Visibility::look);
-	share(_clusters.size(), 0.6f, 0.75f, &Visibility::look_out);
+	share(_surfaces.clusters().size(), 0.6f, 0.75f, &Visibility::look_out);
 	for (int round = 0; round < rounds; round++) {
 		_known.resize(_part_marks.size());
 		std::transform(_part_marks.begin(), _part_marks.end(), _known.begin(),

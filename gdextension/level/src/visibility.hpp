@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "cell_grid.hpp"
+#include "part_surfaces.hpp"
 #include "ray_scene.hpp"
+#include "visibility_dice.hpp"
 
 #include <array>
 #include <atomic>
@@ -10,21 +13,6 @@
 #include <vector>
 
 namespace level {
-
-/// A grid of cubes. Cells are in the order x, then z, then y from slow to fast, as in snapshots'
-/// interest.
-struct CellGrid {
-	Vec3 origin;
-	/// Edge of a cell, m.
-	float size = 4.0f;
-	/// Cells along x, y and z.
-	std::array<int, 3> counts{ 0, 0, 0 };
-
-	std::size_t cell_count() const { return std::size_t(counts[0]) * counts[1] * counts[2]; }
-	std::array<int, 3> index_of(std::size_t p_cell) const;
-	std::size_t number_of(const std::array<int, 3> &p_index) const;
-	bool has(const std::array<int, 3> &p_index) const;
-};
 
 /// Which parts of a level, and which cells, can be seen from each cell: potentially visible sets
 /// (thesis section 4.2.2).
@@ -78,7 +66,6 @@ public:
 	float progress() const { return _progress.load(std::memory_order_relaxed); }
 
 private:
-	class Dice;
 	/// A ray that has found something: where it began and ended.
 	struct Sight {
 		Vec3 from;
@@ -93,7 +80,6 @@ private:
 	/// Marks that several threads set and none takes away.
 	using Marks = std::vector<std::atomic<uint8_t>>;
 
-	void gather_surfaces();
 	void choose_eyes(std::size_t p_first, std::size_t p_last);
 	void look(std::size_t p_first, std::size_t p_last);
 	void look_out(std::size_t p_first, std::size_t p_last);
@@ -101,16 +87,15 @@ private:
 	void note_crossed(std::size_t p_cell, const Vec3 &p_from, const Vec3 &p_to);
 	void note_part(int p_part, const Vec3 &p_from, const Vec3 &p_to);
 	void look_along(const Vec3 &p_eye, const Vec3 &p_way, Finds &r_finds);
-	void follow(Finds &r_finds, Dice &r_dice);
+	void follow(Finds &r_finds, VisibilityDice &r_dice);
 	void gather_points();
 	bool has_floor(const Vec3 &p_point) const;
 	void confirm(std::size_t p_first, std::size_t p_last);
-	void confirm_part(std::size_t p_cell, int p_part, Dice &r_dice);
+	void confirm_part(std::size_t p_cell, int p_part, VisibilityDice &r_dice);
 	void widen(std::size_t p_first, std::size_t p_last);
 	bool looks_into(std::size_t p_cell, std::size_t p_other) const;
 	std::size_t large_of(std::size_t p_small) const;
 	void finish();
-	Vec3 point_on(const std::vector<uint32_t> &p_cluster, Dice &r_dice, Vec3 &r_normal) const;
 	bool is_inside(const Vec3 &p_point) const;
 
 	const RayScene &_scene;
@@ -119,14 +104,7 @@ private:
 	int _parts;
 	CellGrid _grid;
 	CellGrid _small;
-	/// Triangles of a cube of a part: a palm above a wall is a small share of its part.
-	struct Cluster {
-		int part = 0;
-		std::vector<uint32_t> triangles;
-	};
-	std::vector<Cluster> _clusters;
-	/// Numbers of the clusters of each part.
-	std::vector<std::vector<std::size_t>> _clusters_of;
+	PartSurfaces _surfaces;
 	/// Points in the air of each small cell.
 	std::vector<std::vector<Vec3>> _eyes;
 	/// The same of each cell.

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "visibility.hpp"
+#include "ray_scene.hpp"
+
+#include <cstdint>
 
 namespace level {
 
 /// Numbers that are the same on every machine and whatever thread asks (xorshift).
-class Visibility::Dice {
+class VisibilityDice {
 public:
-	explicit Dice(uint64_t p_seed) : _state(p_seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {}
+	explicit VisibilityDice(uint64_t p_seed) : _state(p_seed * 0x9E3779B97F4A7C15ULL + 0x2545F4914F6CDD1DULL) {}
 	/// From 0 to below 1.
 	float next() {
 		_state ^= _state << 13;

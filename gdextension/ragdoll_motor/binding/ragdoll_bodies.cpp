@@ -7,45 +7,28 @@
 #include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/core/error_macros.hpp>
 
-#include <cmath>
 #include <utility>
 
 namespace godot {
 
 using Joint = PhysicsServer3D;
 
-namespace {
-
-const Vector3::Axis AXES[3] = { Vector3::AXIS_X, Vector3::AXIS_Y, Vector3::AXIS_Z };
-
-/// Angles of rotations about X, then Y, then Z, each about the axes so far (the engine's order for the
-/// equilibrium of angular springs), rad.
-Vector3 euler_zyx(const ragdoll::Quat &p_rotation) {
-	const ragdoll::Quat &q = p_rotation;
-	const float sine = 2.0f * (q.w * q.y - q.z * q.x);
-	return Vector3(std::atan2(2.0f * (q.w * q.x + q.y * q.z), 1.0f - 2.0f * (q.x * q.x + q.y * q.y)),
-			std::asin(sine > 1.0f ? 1.0f : (sine < -1.0f ? -1.0f : sine)),
-			std::atan2(2.0f * (q.w * q.z + q.x * q.y), 1.0f - 2.0f * (q.y * q.y + q.z * q.z)));
-}
-
-} // namespace
-
 RagdollBodies::~RagdollBodies() {
 	free_all();
 }
 
 void RagdollBodies::free_all() {
-	_assist.free();
-	for (std::size_t i = 0; i < _written.size(); i++) {
+	_assist.reset();
+	for (std::size_t i = 0; i < _is_set.size(); i++) {
 		// Bodies that were held at a pose fall again, as far as they are still there.
-		if (_written[i].is_set && server()->body_get_direct_state(_specs[i].body) != nullptr) {
+		if (_is_set[i] && server()->body_get_direct_state(_specs[i].body) != nullptr) {
 			set_kinematic(i, false);
 		}
 	}
-	_written.clear();
-	for (const RID &joint : _joints) {
-		if (joint.is_valid()) {
-			server()->free_rid(joint);
+	_is_set.clear();
+	for (const LimbJoint &joint : _joints) {
+		if (joint.get_rid().is_valid()) {
+			server()->free_rid(joint.get_rid());
 		}
 	}
 	_joints.clear();
@@ -64,10 +47,9 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 	_rig = &p_rig;
 	_specs = std::move(p_specs);
 	_space = p_space;
-	_joints.assign(_specs.size(), RID());
-	_written.assign(_specs.size(), Written());
+	_joints.assign(_specs.size(), LimbJoint());
+	_is_set.assign(_specs.size(), false);
 	_states.assign(_specs.size(), nullptr);
-	_rest_inverse.assign(_specs.size(), ragdoll::Quat());
 	_hold = Hold();
 	_has_stepped = false;
 	// A physics frame ends with its step; what is made between two is stepped by the next.
@@ -78,16 +60,16 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 		const ragdoll::Segment &limb = p_rig[i];
 		const ragdoll::Segment &parent = p_rig[limb.parent];
 		const ragdoll::Quat relative = parent.rest.inverse() * limb.rest;
-		_rest_inverse[i] = relative.inverse();
 		const Transform3D frame(Basis(from_core(relative * _specs[i].axes)), from_core(limb.anchor - parent.centre));
-		_joints[i] = make_joint(_specs[limb.parent].body, frame, i);
-		server()->joint_disable_collisions_between_bodies(_joints[i], true);
+		_joints[i] = LimbJoint(make_joint(_specs[limb.parent].body, frame, i), _specs[i].axes, relative);
+		server()->joint_disable_collisions_between_bodies(_joints[i].get_rid(), true);
 	}
 	// A joint to the world needs a body there: a static one without a shape.
 	_anchor = server()->body_create();
 	server()->body_set_mode(_anchor, Joint::BODY_MODE_STATIC);
 	server()->body_set_space(_anchor, _space);
-	_joints[0] = make_motor_joint(_anchor, Transform3D(), _specs[0].body, frame_in_body(0));
+	const RID hold = make_motor_joint(_anchor, Transform3D(), _specs[0].body, frame_in_body(0));
+	_joints[0] = LimbJoint(hold, _specs[0].axes, ragdoll::Quat());
 }
 
 void RagdollBodies::remake() {
@@ -111,7 +93,7 @@ RID RagdollBodies::make_joint(const RID &p_a, const Transform3D &p_frame_a, std:
 	server()->joint_make_generic_6dof(joint, p_a, p_frame_a, spec.body, frame_in_body(p_limb));
 	// A new joint has no flag. The engine makes it anew for each limit: none is written in vain.
 	for (int i = 0; i < 3; i++) {
-		const Vector3::Axis axis = AXES[i];
+		const Vector3::Axis axis = Vector3::Axis(i);
 		server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, true);
 		if (spec.has_limits) {
 			server()->generic_6dof_joint_set_flag(joint, axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_LIMIT, true);
@@ -187,7 +169,7 @@ void RagdollBodies::put(const ragdoll::RigState &p_state) {
 	for (std::size_t i = 0; i < _specs.size(); i++) {
 		const RID &body = _specs[i].body;
 		// A kinematic body would travel there within a step and fling the others about.
-		const bool was_kinematic = _written[i].is_set;
+		const bool was_kinematic = _is_set[i];
 		set_kinematic(i, false);
 		const Transform3D transform(Basis(from_core(p_state.orientations[i])), from_core(p_state.centres[i]));
 		server()->body_set_state(body, Joint::BODY_STATE_TRANSFORM, transform);
@@ -198,8 +180,8 @@ void RagdollBodies::put(const ragdoll::RigState &p_state) {
 }
 
 void RagdollBodies::set_kinematic(std::size_t p_limb, bool p_kinematic) {
-	if (_written[p_limb].is_set != p_kinematic) {
-		_written[p_limb].is_set = p_kinematic;
+	if (_is_set[p_limb] != p_kinematic) {
+		_is_set[p_limb] = p_kinematic;
 		server()->body_set_mode(_specs[p_limb].body, p_kinematic ? Joint::BODY_MODE_KINEMATIC : Joint::BODY_MODE_RIGID);
 	}
 }
@@ -209,70 +191,6 @@ void RagdollBodies::set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientat
 	const ragdoll::Vec3 origin = p_joint + p_orientation.rotate((*_rig)[p_limb].centre);
 	server()->body_set_state(_specs[p_limb].body, Joint::BODY_STATE_TRANSFORM,
 			Transform3D(Basis(from_core(p_orientation)), from_core(origin)));
-}
-
-void RagdollBodies::set_loose(std::size_t p_limb, bool p_loose) {
-	if (_written[p_limb].is_loose == p_loose) {
-		return;
-	}
-	// A limb that is put follows its parent. With its infinite mass it would drag that along, which
-	// it follows then: a body with one arm in DIRECT_SET flew off.
-	_written[p_limb].is_loose = p_loose;
-	for (const Vector3::Axis axis : AXES) {
-		server()->generic_6dof_joint_set_flag(
-				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_LIMIT, !p_loose);
-	}
-}
-
-void RagdollBodies::set_drive(std::size_t p_limb, Drive p_drive) {
-	Written &last = _written[p_limb];
-	if (last.drive == p_drive) {
-		return;
-	}
-	last.drive = p_drive;
-	for (const Vector3::Axis axis : AXES) {
-		server()->generic_6dof_joint_set_flag(
-				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_MOTOR, p_drive == Drive::MOTOR);
-		server()->generic_6dof_joint_set_flag(
-				_joints[p_limb], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_ANGULAR_SPRING, p_drive == Drive::SPRING);
-	}
-	last.torque = -1.0f;
-}
-
-void RagdollBodies::turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity) {
-	const ragdoll::Vec3 local = _specs[p_limb].axes.inverse().rotate(p_velocity);
-	const float axes[3] = { local.x, local.y, local.z };
-	for (int i = 0; i < 3; i++) {
-		if (_written[p_limb].velocity[i] != axes[i]) {
-			_written[p_limb].velocity[i] = axes[i];
-			// The engine's sign is the other way round for angular motors (not for linear ones).
-			server()->generic_6dof_joint_set_param(
-					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_MOTOR_TARGET_VELOCITY, -axes[i]);
-		}
-	}
-}
-
-void RagdollBodies::pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
-	Written &last = _written[p_limb];
-	const ragdoll::Quat &axes = _specs[p_limb].axes;
-	const ragdoll::Vec3 stiffness = ragdoll::turned_inertia(p_command.stiffness, axes.inverse());
-	const ragdoll::Vec3 damping = ragdoll::turned_inertia(p_command.damping, axes.inverse());
-	const bool stiffer = (last.stiffness - stiffness).length() + (last.damping - damping).length() > 0.0f;
-	last.stiffness = stiffness;
-	last.damping = damping;
-	const Vector3 stiff = from_core(stiffness);
-	const Vector3 damped = from_core(damping);
-	const Vector3 angles = -euler_zyx(axes.inverse() * (_rest_inverse[p_limb] * p_command.target) * axes);
-	for (int i = 0; i < 3; i++) {
-		if (stiffer) {
-			server()->generic_6dof_joint_set_param(
-					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_STIFFNESS, stiff[i]);
-			server()->generic_6dof_joint_set_param(
-					_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_DAMPING, damped[i]);
-		}
-		server()->generic_6dof_joint_set_param(
-				_joints[p_limb], AXES[i], Joint::G6DOF_JOINT_ANGULAR_SPRING_EQUILIBRIUM_POINT, angles[i]);
-	}
 }
 
 void RagdollBodies::push(std::size_t p_limb, const ragdoll::LimbCommand &p_command) {
@@ -298,15 +216,12 @@ void RagdollBodies::push_limbs(
 }
 
 void RagdollBodies::weaken(std::size_t p_limb, float p_share) {
-	Written &last = _written[p_limb];
-	if (p_share < 1.0f && last.drive == Drive::MOTOR && last.torque > 0.0f) {
-		set_motor_torque(_joints[p_limb], last.torque * p_share, last.torque);
-	}
+	_joints[p_limb].weaken(p_share);
 	if (p_limb == 0 && p_share < 1.0f && _hold.across > 0.0f) {
 		_hold.across *= p_share;
 		for (const Vector3::Axis axis : { Vector3::AXIS_X, Vector3::AXIS_Z }) {
 			server()->generic_6dof_joint_set_param(
-					_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, _hold.across);
+					_joints[0].get_rid(), axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, _hold.across);
 		}
 	}
 }
@@ -319,27 +234,28 @@ void RagdollBodies::write(const std::vector<ragdoll::LimbCommand> &p_commands,
 		const std::vector<ragdoll::Quat> &p_orientations, const std::vector<ragdoll::Vec3> &p_joints) {
 	for (std::size_t i = 1; i < _specs.size(); i++) {
 		const ragdoll::LimbCommand &command = p_commands[i];
+		LimbJoint &joint = _joints[i];
 		const bool hangs_on_set = p_commands[std::size_t((*_rig)[i].parent)].mode == ragdoll::Actuation::DIRECT_SET;
-		set_loose(i, command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
+		joint.set_loose(command.mode == ragdoll::Actuation::DIRECT_SET && !hangs_on_set);
 		if (command.mode == ragdoll::Actuation::DIRECT_SET) {
-			set_drive(i, Drive::FREE);
+			joint.set_drive(LimbJoint::Drive::FREE);
 			set_pose(i, p_orientations[i], p_joints[i]);
 			continue;
 		}
 		set_kinematic(i, false);
 		switch (command.mode) {
 			case ragdoll::Actuation::SPRING_TORQUE:
-				set_drive(i, Drive::FREE);
+				joint.set_drive(LimbJoint::Drive::FREE);
 				push(i, command);
 				break;
 			case ragdoll::Actuation::POSITION_MOTOR:
-				set_drive(i, Drive::SPRING);
-				pull(i, command);
+				joint.set_drive(LimbJoint::Drive::SPRING);
+				joint.pull(command);
 				break;
 			default:
-				set_drive(i, Drive::MOTOR);
-				set_motor_torque(_joints[i], command.max_torque, _written[i].torque);
-				turn(i, command.velocity);
+				joint.set_drive(LimbJoint::Drive::MOTOR);
+				joint.set_torque(command.max_torque);
+				joint.turn(command.velocity);
 				break;
 		}
 	}
@@ -350,9 +266,15 @@ RootAssist::Handle RagdollBodies::find_handle(std::size_t p_limb) const {
 }
 
 void RagdollBodies::set_assist(ragdoll::RootMode p_mode) {
-	if (_assist.is_in(p_mode)) {
-		return;
+	if (!ragdoll::is_free(p_mode)) {
+		_assist.reset();
+	} else if (!_assist || _assist->get_mode() != p_mode) {
+		_assist.reset(); // What the last mode needed goes first.
+		_assist = make_assist(p_mode);
 	}
+}
+
+std::unique_ptr<RootAssist> RagdollBodies::make_assist(ragdoll::RootMode p_mode) {
 	ragdoll::RigState state;
 	state.resize(_specs.size());
 	RootAssist::Parts parts;
@@ -364,7 +286,7 @@ void RagdollBodies::set_assist(ragdoll::RootMode p_mode) {
 	}
 	parts.mass = _rig->get_mass();
 	parts.state = read(state) ? &state : nullptr;
-	_assist.set_mode(p_mode, parts);
+	return std::make_unique<RootAssist>(p_mode, parts);
 }
 
 void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
@@ -375,29 +297,31 @@ void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
 		const Vector3::Axis axis = Vector3::Axis(i);
 		if (changed) {
 			server()->generic_6dof_joint_set_flag(
-					_joints[0], axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, limits[i] > 0.0f);
+					_joints[0].get_rid(), axis, Joint::G6DOF_JOINT_FLAG_ENABLE_LINEAR_MOTOR, limits[i] > 0.0f);
 			server()->generic_6dof_joint_set_param(
-					_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, limits[i]);
+					_joints[0].get_rid(), axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_FORCE_LIMIT, limits[i]);
 		}
 		server()->generic_6dof_joint_set_param(
-				_joints[0], axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY, axes[i]);
+				_joints[0].get_rid(), axis, Joint::G6DOF_JOINT_LINEAR_MOTOR_TARGET_VELOCITY, axes[i]);
 	}
 	_hold.across = p_command.force_across;
 	_hold.up = p_command.force_up;
 }
 
-void RagdollBodies::pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command,
-		const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn) {
+void RagdollBodies::pull_root(
+		ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn) {
 	set_kinematic(0, false);
 	set_assist(p_mode);
-	set_drive(0, p_command.torque > 0.0f ? Drive::MOTOR : Drive::FREE);
-	set_motor_torque(_joints[0], p_command.torque, _written[0].torque);
+	_joints[0].set_drive(p_command.torque > 0.0f ? LimbJoint::Drive::MOTOR : LimbJoint::Drive::FREE);
+	_joints[0].set_torque(p_command.torque);
 	set_forces(p_command);
 	if (p_command.push.length() > 0.0f) {
 		server()->body_apply_central_force(_specs[0].body, from_core(p_command.push));
 	}
-	set_motor_velocity(_joints[0], _specs[0].axes.inverse().rotate(p_turn));
-	_assist.drive(p_command, p_turn, p_trunk_turn);
+	set_motor_velocity(_joints[0].get_rid(), _specs[0].axes.inverse().rotate(p_turn));
+	if (_assist) {
+		_assist->drive(p_command);
+	}
 }
 
 } // namespace godot

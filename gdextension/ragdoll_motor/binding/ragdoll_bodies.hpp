@@ -3,6 +3,7 @@
 
 #include "comparison/root_assist.hpp"
 #include "joint_motors.hpp"
+#include "limb_joint.hpp"
 
 #include <control/world_drive.hpp>
 #include <joint/controller.hpp>
@@ -13,8 +14,8 @@
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/transform3d.hpp>
 
-#include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace godot {
@@ -65,40 +66,23 @@ public:
 	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
 		set_pose(0, p_orientation, p_joint);
 	}
-	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn,
-			const ragdoll::Vec3 &p_trunk_turn);
+	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn);
 	/// The joint that holds a limb.
-	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb]; }
+	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb].get_rid(); }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
 	void set_righted_limb(int p_limb) { _righted_limb = p_limb; }
 	/// Puts all bodies somewhere, with these velocities.
 	void put(const ragdoll::RigState &p_state);
 
 private:
-	enum class Drive : std::uint8_t {
-		UNKNOWN,
-		MOTOR,
-		SPRING,
-		FREE
-	};
-	/// What was written last, so that only changes are.
-	struct Written {
-		Drive drive = Drive::UNKNOWN;
-		bool is_set = false; // DIRECT_SET: the body is kinematic.
-		bool is_loose = false; // The joint does not hold the parent.
-		float torque = -1.0f;
-		ragdoll::Vec3 stiffness{ -1.0f, 0.0f, 0.0f };
-		ragdoll::Vec3 damping;
-		std::array<float, 3> velocity{ { 0.0f, 0.0f, 0.0f } };
-	};
 	struct Hold {
 		float across = -1.0f;
 		float up = -1.0f;
-		float torque = -1.0f;
 	};
 
 	RID make_joint(const RID &p_a, const Transform3D &p_frame_a, std::size_t p_limb);
 	void set_assist(ragdoll::RootMode p_mode);
+	std::unique_ptr<RootAssist> make_assist(ragdoll::RootMode p_mode);
 	RootAssist::Handle find_handle(std::size_t p_limb) const;
 	void set_forces(const ragdoll::RootCommand &p_command);
 	void free_all();
@@ -106,25 +90,20 @@ private:
 	ragdoll::Vec3 find_gravity();
 	void set_kinematic(std::size_t p_limb, bool p_kinematic);
 	void set_pose(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
-	void set_drive(std::size_t p_limb, Drive p_drive);
-	void set_loose(std::size_t p_limb, bool p_loose);
-	void turn(std::size_t p_limb, const ragdoll::Vec3 &p_velocity);
-	void pull(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
 	void push(std::size_t p_limb, const ragdoll::LimbCommand &p_command);
 
 	const ragdoll::Rig *_rig = nullptr;
 	std::vector<JointSpec> _specs;
-	std::vector<RID> _joints;
-	std::vector<Written> _written;
+	std::vector<LimbJoint> _joints;
+	std::vector<bool> _is_set; // DIRECT_SET: the body is kinematic.
 	std::vector<PhysicsDirectBodyState3D *> _states; // Of this tick.
-	std::vector<ragdoll::Quat> _rest_inverse; // Parent's reset orientation to the limb's, inverted.
 	Hold _hold;
 	bool _is_lost = false; // A body was not there at the last reading.
 	RID _space;
 	bool _has_stepped = false; // The space, since the joints were made.
 	uint64_t _first_frame = 0; // At whose end the space steps for the first time.
 	RID _anchor;
-	RootAssist _assist; // PENDULUM, SELF_RIGHTING.
+	std::unique_ptr<RootAssist> _assist; // Null unless the root is free.
 	int _righted_limb = -1;
 };
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "ground_rays.hpp"
-#include "obstacle_sweep.hpp"
+#include "driven_ragdoll.hpp"
+#include "motor_settings.hpp"
 #include "physics_check.hpp"
-#include "ragdoll_bodies.hpp"
 #include "ragdoll_control_profile.hpp"
-#include "ragdoll_plan.hpp"
 #include "ragdoll_profile.hpp"
-#include <driver.hpp>
+#include "ragdoll_report.hpp"
+#include "sample_slots.hpp"
+#include "saved_ragdoll.hpp"
 
 #include <godot_cpp/classes/node.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -77,8 +77,8 @@ public:
 	bool setup(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
 			const PackedVector3Array &p_centres, const RID &p_space);
 	void release();
-	bool is_set_up() const { return _driver != nullptr; }
-	TypedArray<RID> get_joints() const;
+	bool is_set_up() const { return _ragdoll != nullptr; }
+	TypedArray<RID> get_joints() const { return _ragdoll ? _ragdoll->get_joints() : TypedArray<RID>(); }
 
 	// Motion.
 	bool push_sample(double p_time_s, const PackedFloat32Array &p_rotations, const Vector3 &p_root,
@@ -104,123 +104,94 @@ public:
 	bool apply_control_profile(const Ref<RagdollControlProfile> &p_profile, double p_blend_s);
 	bool invoke_control_profile(const StringName &p_name, double p_blend_s);
 	StringName get_control_profile() const { return _control_profile; }
-	double get_physics_blend(const StringName &p_bone) const;
 	void set_control_profiles(const TypedArray<RagdollControlProfile> &p_profiles) { _control_profiles = p_profiles; }
 	TypedArray<RagdollControlProfile> get_control_profiles() const { return _control_profiles; }
 
 	// Measurement.
 	void measure(double p_time_s);
-	PackedFloat32Array get_body_pose() const { return _body_pose; }
-	Dictionary get_tracking() const;
+	PackedFloat32Array get_body_pose() const { return _slots.get_pose(); }
+	Dictionary get_tracking() const { return report().get_tracking(); }
 	void clear_tracking();
 	PackedFloat32Array get_limb_errors();
-	PackedFloat32Array get_limb_torques() const;
-	PackedFloat32Array get_limb_saturations() const;
+	PackedFloat32Array get_limb_torques() const { return report().get_limb_torques(); }
+	PackedFloat32Array get_limb_saturations() const { return report().get_limb_saturations(); }
 	void set_frame(const Transform3D &p_frame);
-	Transform3D get_frame() const;
-	Vector3 get_root_target() const;
-	Vector3 get_tether() const;
-	Dictionary get_balance() const;
-	bool is_flying() const;
+	Transform3D get_frame() const { return report().get_frame(); }
+	Vector3 get_root_target() const { return report().get_root_target(); }
+	Vector3 get_tether() const { return report().get_tether(); }
+	Dictionary get_balance() const { return report().get_balance(); }
+	bool is_flying() const { return report().is_flying(); }
 
 	// State.
-	PackedByteArray save_state();
+	PackedByteArray save_state() { return _ragdoll ? save_ragdoll(*_ragdoll) : PackedByteArray(); }
 	bool restore_state(const PackedByteArray &p_bytes);
-	int64_t get_state_hash();
+	int64_t get_state_hash() { return int64_t(_ragdoll ? hash_ragdoll(*_ragdoll) : ragdoll::StateHash().get()); }
 
 	// Properties.
 	void set_root_mode(RootMode p_mode);
-	RootMode get_root_mode() const { return _root_mode; }
-	void set_gain(double p_gain);
-	double get_gain() const { return _gain; }
-	void set_muscle_speed(double p_speed);
-	double get_muscle_speed() const { return _muscle_speed; }
-	void set_root_force(double p_force);
-	double get_root_force() const { return _root_force; }
-	void set_residual_share(double p_share);
-	double get_residual_share() const { return _residual_share; }
-	void set_standing_torque(double p_torque);
-	double get_standing_torque() const { return _standing_torque; }
-	void set_root_torque(double p_torque);
-	double get_root_torque() const { return _root_torque; }
-	void set_inertia_scale(double p_scale);
-	double get_inertia_scale() const { return _inertia_scale; }
-	void set_arm_inertia_scale(double p_scale);
-	double get_arm_inertia_scale() const { return _arm_inertia_scale; }
-	void set_self_collision(bool p_enabled) { _self_collision = p_enabled; }
-	bool has_self_collision() const { return _self_collision; }
-	void set_anatomical_limits(bool p_enabled) { _anatomical_limits = p_enabled; }
-	bool has_anatomical_limits() const { return _anatomical_limits; }
-	void set_sample_slots(const PackedInt32Array &p_slots);
-	PackedInt32Array get_sample_slots() const { return _sample_slots; }
-	void set_measures_torque(bool p_enabled);
-	bool get_measures_torque() const { return _measures_torque; }
-	void set_measures_lag(bool p_enabled);
-	bool get_measures_lag() const { return _measures_lag; }
-	void set_ground_mask(int64_t p_mask);
-	int64_t get_ground_mask() const { return _ground_mask; }
-	void set_max_energy(double p_energy);
-	double get_max_energy() const { return _max_energy; }
+	RootMode get_root_mode() const { return RootMode(_settings.root_mode); }
+	void set_gain(double p_gain) { change_amount(_settings.gain, p_gain, "a gain"); }
+	double get_gain() const { return _settings.gain; }
+	void set_muscle_speed(double p_speed) { change_amount(_settings.muscle_speed, p_speed, "a muscle speed"); }
+	double get_muscle_speed() const { return _settings.muscle_speed; }
+	void set_root_force(double p_force) { change_amount(_settings.root_force, p_force, "a force"); }
+	double get_root_force() const { return _settings.root_force; }
+	void set_residual_share(double p_share) {
+		change_amount(_settings.residual_share, p_share, "a share of the weight");
+	}
+	double get_residual_share() const { return _settings.residual_share; }
+	void set_standing_torque(double p_torque) { change_amount(_settings.standing_torque, p_torque, "a torque"); }
+	double get_standing_torque() const { return _settings.standing_torque; }
+	void set_root_torque(double p_torque) { change_amount(_settings.root_torque, p_torque, "a torque"); }
+	double get_root_torque() const { return _settings.root_torque; }
+	void set_inertia_scale(double p_scale) { change_scale(_settings.inertia_scale, p_scale); }
+	double get_inertia_scale() const { return _settings.inertia_scale; }
+	void set_arm_inertia_scale(double p_scale) { change_scale(_settings.arm_inertia_scale, p_scale); }
+	double get_arm_inertia_scale() const { return _settings.arm_inertia_scale; }
+	void set_self_collision(bool p_enabled) { _settings.self_collision = p_enabled; }
+	bool has_self_collision() const { return _settings.self_collision; }
+	void set_anatomical_limits(bool p_enabled) { _settings.anatomical_limits = p_enabled; }
+	bool has_anatomical_limits() const { return _settings.anatomical_limits; }
+	void set_sample_slots(const PackedInt32Array &p_slots) { _slots.set_slots(p_slots); }
+	PackedInt32Array get_sample_slots() const { return _slots.get_slots(); }
+	void set_measures_torque(bool p_enabled) { change(_settings.measures_torque, p_enabled); }
+	bool get_measures_torque() const { return _settings.measures_torque; }
+	void set_measures_lag(bool p_enabled) { change(_settings.measures_lag, p_enabled); }
+	bool get_measures_lag() const { return _settings.measures_lag; }
+	void set_ground_mask(int64_t p_mask) { change(_settings.ground_mask, p_mask); }
+	int64_t get_ground_mask() const { return _settings.ground_mask; }
+	void set_max_energy(double p_energy) { change_amount(_settings.max_energy, p_energy, "an energy"); }
+	double get_max_energy() const { return _settings.max_energy; }
 
 protected:
 	static void _bind_methods();
 
 private:
+	static void bind_constants();
 	static void bind_properties();
 	static void bind_control();
 	static void bind_measurement();
 	static void bind_limb_control();
 
-	/// Reads the bodies, unless what was read last is still true.
-	bool read_bodies();
-	bool is_state_current() const;
-	void note_body_pose();
-	void resize_body_pose();
-	void look_at_ground();
-	/// Whether a number can be a force, a gain, a strength: 0 or more, and finite as the core has it.
-	static bool is_amount(double p_value) { return p_value >= 0.0 && p_value <= 1e30; }
-	bool is_ready() const { return _driver && !_driver->get_stream().is_empty(); }
-	void make_driver();
+	RagdollReport report() const { return RagdollReport(_ragdoll.get()); }
+	bool is_ready() const { return _ragdoll && _ragdoll->has_motion(); }
+	/// Sets a property that is an amount, 0 or more.
+	void change_amount(double &r_setting, double p_value, const char *p_what);
+	/// Sets a property that the next setup() takes.
+	void change_scale(double &r_setting, double p_value);
+	template <typename T>
+	void change(T &r_setting, T p_value) {
+		r_setting = p_value;
+		apply_settings();
+	}
 	void apply_settings();
-	void report(std::uint32_t p_guarded);
 
-	RootMode _root_mode = ROOT_SOFT;
-	double _gain = 50.0;
-	double _muscle_speed = 8.0;
-	double _root_force = 2000.0;
-	double _residual_share = 0.06;
-	double _standing_torque = 240.0;
-	double _root_torque = 800.0;
-	double _inertia_scale = 6.0;
-	double _arm_inertia_scale = 2.5;
-	double _max_energy = 60.0;
-	int64_t _ground_mask = 5; // World and props, not people.
-	bool _self_collision = false;
-	bool _anatomical_limits = false;
-	bool _measures_torque = false;
-	bool _measures_lag = false;
-	PackedInt32Array _sample_slots;
-
+	MotorSettings _settings;
 	TypedArray<RagdollControlProfile> _control_profiles;
 	StringName _control_profile; // Applied last.
-
-	RagdollPlan _plan;
-	std::unique_ptr<ragdoll::Driver> _driver;
-	// After the driver: the bodies refer to its rig.
-	std::unique_ptr<RagdollBodies> _bodies;
-
-	GroundRays _ground;
-	ObstacleSweep _obstacles;
-
-	// Kept between ticks, so that a tick allocates nothing.
-	ragdoll::RigState _state;
-	/// When the state was read: number of the physics frame, and whether before its step.
-	bool _is_state_read = false;
-	bool _is_read_in_step = false;
-	uint64_t _read_frame = 0;
-	PackedFloat32Array _body_pose;
-	std::vector<float> _targets;
-	std::vector<ragdoll::Quat> _shown; // Orientations, by the limbs' physics blend.
+	SampleSlots _slots;
+	std::unique_ptr<DrivenRagdoll> _ragdoll; // Null unless it is set up.
+	std::vector<ragdoll::Quat> _shown; // By the limbs' physics blend; kept, so that a tick allocates nothing.
 };
 
 } // namespace godot

@@ -5,6 +5,45 @@
 
 namespace godot {
 
+namespace {
+
+String find_body_fault(const TypedArray<RID> &p_bodies, const RID &p_space) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	for (int64_t i = 0; i < p_bodies.size(); i++) {
+		const RID body = p_bodies[i];
+		if (server->body_get_direct_state(body) == nullptr || server->body_get_space(body) != p_space) {
+			return "one of the bodies is none, or is not in the physics space";
+		}
+		for (int64_t j = 0; j < i; j++) {
+			if (RID(p_bodies[j]) == body) {
+				return "two limbs have the same body";
+			}
+		}
+	}
+	return String();
+}
+
+} // namespace
+
+String RagdollPlan::find_fault(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
+		const PackedVector3Array &p_centres, const RID &p_space) {
+	if (p_profile.is_null()) {
+		return "there is no profile";
+	}
+	const String fault = p_profile->find_fault();
+	if (!fault.is_empty()) {
+		return "the profile has a fault: " + fault;
+	}
+	const int64_t count = p_profile->get_limbs().size();
+	if (p_bodies.size() != count) {
+		return "there must be one body for each limb of the profile";
+	}
+	if (!p_centres.is_empty() && p_centres.size() != count) {
+		return "there must be one centre for each limb of the profile, or none at all";
+	}
+	return p_space.is_valid() ? find_body_fault(p_bodies, p_space) : String("there is no physics space");
+}
+
 RagdollPlan::RagdollPlan(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
 		const PackedVector3Array &p_centres, bool p_has_limits) {
 	for (int64_t i = 0; i < p_bodies.size(); i++) {

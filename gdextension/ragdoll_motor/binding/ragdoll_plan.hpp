@@ -20,7 +20,11 @@ namespace godot {
 /// profile's order in every list.
 class RagdollPlan {
 public:
-	RagdollPlan() = default;
+	/// Why there is no plan for these: a fault of the profile, of the bodies or of the space; empty where there is
+	/// none.
+	static String find_fault(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
+			const PackedVector3Array &p_centres, const RID &p_space);
+
 	/// @param p_centres the bodies' centres of mass in the limbs' frames, m; empty: as the profile has them
 	/// @param p_has_limits whether the joints get the profile's anatomical limits
 	RagdollPlan(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,

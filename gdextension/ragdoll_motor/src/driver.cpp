@@ -15,10 +15,11 @@ namespace ragdoll {
 
 namespace {
 
-std::vector<ModeTravel> make_travels(const std::vector<ContactPoint> &p_contacts) {
-	std::vector<ModeTravel> travels = make_thesis_travels(p_contacts);
-	travels.push_back({ RootMode::INERTIAL, std::make_unique<InertialGait>(p_contacts) });
-	return travels;
+std::unique_ptr<Travel> make_travel(RootMode p_mode, const std::vector<ContactPoint> &p_contacts) {
+	if (p_mode == RootMode::INERTIAL) {
+		return std::make_unique<InertialGait>(p_contacts);
+	}
+	return make_thesis_travel(p_mode, p_contacts);
 }
 
 } // namespace
@@ -29,9 +30,9 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_contacts(p_contacts),
 		_stream(_rig.size()),
 		_table(p_groups, p_group_count),
-		_controller(_rig, make_thesis_joints(_rig)),
+		_controller(_rig, make_thesis_joints),
 		_pushes(_rig),
-		_travel(_rig, p_contacts, make_travels(p_contacts)),
+		_travel(_rig, p_contacts, make_travel),
 		_balance(_rig, p_contacts),
 		_torques(_rig.size()),
 		_errors(_rig.size(), 0.0f) {
@@ -206,8 +207,14 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_getting_up.advance(p_state, _now, _next, is_limp, finds_travel(root_mode), RootTravel::FURTHEST_UP, p_delta_s);
 	const Vec3 &lift = _getting_up.get_lift();
 	const float strength = is_limp ? 0.0f : _table.get_standing_strength(0);
-	_commands.root = drive_root(
-			root_mode, root_settings, _rig, p_state, _now.root + lift, _next.root + lift, p_delta_s, strength);
+	_commands.root_turn = _commands.limbs[0].velocity;
+	if (is_free(root_mode)) {
+		_commands.root = drive_thesis_root(
+				root_mode, root_settings, p_state, _now, _next, _commands.root_turn, righted_limb, p_delta_s, strength);
+	} else {
+		_commands.root = drive_root(
+				root_mode, root_settings, _rig, p_state, _now.root + lift, _next.root + lift, p_delta_s, strength);
+	}
 	if (root_mode == RootMode::GROUNDED) {
 		_commands.root.torque = _balance.get_torque() * strength;
 		_commands.root.push = _balance.get_force() * strength;
@@ -217,12 +224,6 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_commands.root.force_across *= flinch;
 	_commands.root.torque *= flinch;
 	_commands.root.assist_torque *= flinch;
-	_commands.root_turn = _commands.limbs[0].velocity;
-	if (root_mode == RootMode::SELF_RIGHTING && righted_limb > 0) {
-		const std::size_t limb = std::size_t(righted_limb);
-		_commands.trunk_turn = find_righting_turn(p_state.orientations[limb], _now.orientations[limb],
-				_next.orientations[limb], p_delta_s, _controller.settings.gain);
-	}
 }
 
 void Driver::place_kinematic(const RigState &p_state, float p_delta_s) {

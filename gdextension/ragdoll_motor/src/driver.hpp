@@ -26,7 +26,6 @@ struct StepCommands {
 	std::vector<LimbCommand> limbs;
 	RootCommand root;
 	Vec3 root_turn; ///< Turning rate of the root, limb's axes, rad/s.
-	Vec3 trunk_turn; ///< The same of the limb that SELF_RIGHTING keeps upright.
 	bool is_root_held = false; ///< The root is held at a pose instead of pulled.
 	std::vector<Quat> orientations; ///< Of limbs that are held at a pose, at the step's end.
 	std::vector<Vec3> joints; ///< Their joints, m.

@@ -16,7 +16,7 @@ constexpr float DELTA = 1.0f / 60.0f;
 struct Bench {
 	Rig rig{ fixtures::limbs() };
 	ActuationTable table{ fixtures::groups(), 3 };
-	Controller controller{ rig, make_thesis_joints(rig) };
+	Controller controller{ rig, make_thesis_joints };
 	std::vector<LimbCommand> commands;
 
 	void compute(const RigState &p_state, const Pose &p_now, const Pose &p_next) {
@@ -212,9 +212,15 @@ TEST(root_drive_corrects_within_its_limits) {
 	CHECK_NEAR(weightless.force_across, 0.0, 0.0);
 	CHECK_NEAR(weightless.velocity.x, 0.0, 0.0);
 	CHECK_NEAR(weightless.velocity.y, braking_speed(1.0f, 2000.0f / 40.0f), 1e-3);
-	const RootCommand free = drive_root(RootMode::SELF_RIGHTING, settings, rig, still, {}, {}, 0.01f, 1.0f);
+	const RootCommand free =
+			drive_thesis_root(RootMode::SELF_RIGHTING, settings, still, {}, {}, { 1, 0, 0 }, -1, 0.01f, 0.5f);
 	CHECK_NEAR(free.force_up + free.force_across, 0.0, 0.0);
-	CHECK(free.torque > 0.0f);
+	CHECK_NEAR(free.torque, 400.0, 1e-3);
+	const RootCommand hung =
+			drive_thesis_root(RootMode::PENDULUM, settings, still, {}, {}, { 1, 0, 0 }, -1, 0.01f, 0.5f);
+	CHECK_NEAR(hung.torque, 0.0, 0.0); // The weight's joint turns it instead.
+	CHECK_NEAR(hung.assist_torque, 400.0, 1e-3);
+	CHECK_NEAR(hung.assist_turn.x, 1.0, 0.0);
 }
 
 TEST(the_root_rises_and_sinks_by_its_own_limits) {

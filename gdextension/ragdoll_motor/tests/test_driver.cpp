@@ -101,6 +101,29 @@ TEST(a_state_that_is_cut_off_changes_nothing) {
 	CHECK(driver.get_table().get_mode(2) == Actuation::LIMP);
 }
 
+TEST(what_a_chosen_mode_made_is_part_of_the_saved_state) {
+	const std::vector<ContactPoint> contacts(1);
+	Driver chosen(Rig(fixtures::limbs()), fixtures::groups(), 3, contacts);
+	Driver usual(Rig(fixtures::limbs()), fixtures::groups(), 3, contacts);
+	const std::vector<std::uint8_t> before = saved(usual);
+	chosen.root_mode = RootMode::LOWEST_FOOT;
+	chosen.get_table().set_mode(Actuation::SPRING_TORQUE, -1, 0.0f);
+	RigState state = at_rest(chosen, { 0.0f, 1.0f, 0.0f });
+	for (int i = 0; i < 10; i++) {
+		stand(chosen, state, 1.0 + i * double(DELTA));
+	}
+	const std::vector<std::uint8_t> after = saved(chosen);
+	CHECK(restore(usual, after));
+	CHECK(saved(usual) == after);
+	CHECK(usual.get_travel() != nullptr);
+	CHECK(restore(usual, before));
+	CHECK(saved(usual) == before);
+	for (std::size_t size = 0; size < after.size(); size += 7) {
+		CHECK(!restore(usual, { after.begin(), after.begin() + long(size) }));
+	}
+	CHECK(saved(usual) == before);
+}
+
 TEST(another_clock_may_begin_earlier_or_later) {
 	for (const double begin : { 5.0, 1e6, -1e6, -1e12 }) {
 		Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});

@@ -16,8 +16,6 @@ constexpr uint32_t SERVER_INNER = 0x7F000001;
 constexpr int64_t SERVER_PEER = 1;
 /// After so much silence, and then so often, a client looks whether its network is another one, us.
 constexpr int64_t SILENT_USEC = 250000;
-/// What IPv4 and UDP add to a datagram, bytes.
-constexpr uint64_t IP_AND_UDP = 28;
 /// Datagrams that are read before ENet is served: all that ENet's socket holds, and no more.
 constexpr size_t READ_AT_ONCE = 64;
 constexpr size_t MAX_HANDED_IN = 128;
@@ -48,32 +46,6 @@ bool unpack(const PackedByteArray &p_bytes, Array &r_bytes) {
 	std::copy_n(p_bytes.ptr(), r_bytes.size(), r_bytes.begin());
 	return true;
 }
-
-/// What a server's relay counts, by the names that stats() has for it.
-struct Count {
-	const char *name;
-	uint64_t transport::RelayCounts::*member;
-};
-
-constexpr Count COUNTS[] = {
-	{ "sealed", &transport::RelayCounts::sealed },
-	{ "opened", &transport::RelayCounts::opened },
-	{ "not_opened", &transport::RelayCounts::not_opened },
-	{ "stray", &transport::RelayCounts::stray },
-	{ "from_port_zero", &transport::RelayCounts::from_port_zero },
-	{ "malformed", &transport::RelayCounts::malformed },
-	{ "too_few_channels", &transport::RelayCounts::too_few_channels },
-	{ "bad_fragments", &transport::RelayCounts::bad_fragments },
-	{ "held_too_much", &transport::RelayCounts::held_too_much },
-	{ "cookies", &transport::RelayCounts::cookies },
-	{ "bad_cookies", &transport::RelayCounts::bad_cookies },
-	{ "handshakes", &transport::RelayCounts::handshakes },
-	{ "handshakes_dropped", &transport::RelayCounts::handshakes_dropped },
-	{ "handshakes_later", &transport::RelayCounts::handshakes_later },
-	{ "wrong_passwords", &transport::RelayCounts::wrong_passwords },
-	{ "half_open_evicted", &transport::RelayCounts::evicted },
-	{ "moved", &transport::RelayCounts::moved },
-};
 
 /// An IPv4 address as a number; false if it is none.
 bool parse_inner(const String &p_address, uint32_t &r_number) {
@@ -172,7 +144,7 @@ void SealedSocket::close() {
 	_socket.close();
 	_server.reset();
 	_client.reset();
-	take_fast(0);
+	_fast.take(0);
 }
 
 int64_t SealedSocket::get_port() const {
@@ -267,20 +239,6 @@ void SealedSocket::send_fast_each(const PackedInt32Array &p_peers, const TypedAr
 	}
 }
 
-TypedArray<FastPacket> SealedSocket::take_fast(int64_t p_ticks_usec) {
-	const TypedArray<FastPacket> taken = _fast;
-	if (!_arrived.empty()) {
-		// The engine's clock and ours do not count alike.
-		const int64_t offset_usec = p_ticks_usec - transport::now_usec();
-		for (FastPacket *packet : _arrived) {
-			packet->set_arrival_usec(packet->get_arrival_usec() + offset_usec);
-		}
-		_arrived.clear();
-		_fast = TypedArray<FastPacket>();
-	}
-	return taken;
-}
-
 void SealedSocket::admit(const String &p_inner_address) {
 	uint32_t number = 0;
 	if (_server && parse_inner(p_inner_address, number)) {
@@ -301,32 +259,20 @@ Dictionary SealedSocket::take_refusal() {
 }
 
 Dictionary SealedSocket::stats() const {
-	Dictionary made;
-	made["sent_bytes"] = _sent_bytes;
-	made["received_bytes"] = _received_bytes;
-	made["sent_packets"] = _sent_datagrams;
-	made["received_packets"] = _received_datagrams;
+	Dictionary made = _traffic.describe();
 	if (_client) {
 		made["not_opened"] = _client->not_opened();
 	}
-	if (!_server) {
-		return made;
+	if (_server) {
+		describe_server(*_server, made);
 	}
-	const transport::RelayCounts &counts = _server->counts();
-	made["refused"] = _server->last_refusal().number;
-	for (const Count &count : COUNTS) {
-		made[count.name] = counts.*count.member;
-	}
-	made["held_bytes"] = _server->links().held();
-	made["half_open"] = uint64_t(_server->links().half_open() + _server->pending());
 	return made;
 }
 
 int64_t SealedSocket::take_in(int64_t p_now_usec) {
 	_handed_in = 0;
 	const auto take = [this, p_now_usec](const transport::Endpoint &p_from, const transport::View &p_bytes) {
-		_received_bytes += p_bytes.size + IP_AND_UDP;
-		_received_datagrams++;
+		_traffic.note_received(p_bytes.size);
 		if (_server) {
 			_server->take_outer(p_from, p_bytes, p_now_usec, *this);
 		} else if (_client) {
@@ -378,8 +324,7 @@ void SealedSocket::send_out(int64_t p_now_usec) {
 }
 
 void SealedSocket::to_outer(const transport::Endpoint &p_to, const transport::View &p_bytes) {
-	_sent_bytes += p_bytes.size + IP_AND_UDP;
-	_sent_datagrams++;
+	_traffic.note_sent(p_bytes.size);
 	_socket.write_outer(p_to, p_bytes);
 }
 
@@ -389,16 +334,7 @@ void SealedSocket::to_inner(uint32_t p_from, const transport::View &p_bytes) {
 }
 
 void SealedSocket::to_program(int64_t p_peer, const transport::View &p_bytes) {
-	PackedByteArray bytes;
-	bytes.resize(int64_t(p_bytes.size));
-	std::copy_n(p_bytes.data, p_bytes.size, bytes.ptrw());
-	Ref<FastPacket> packet;
-	packet.instantiate();
-	packet->set_arrival_usec(transport::now_usec());
-	packet->set_bytes(bytes);
-	packet->set_peer(p_peer);
-	_arrived.push_back(packet.ptr());
-	_fast.push_back(packet);
+	_fast.put(p_peer, p_bytes);
 	_handed_in++;
 }
 

@@ -4,7 +4,8 @@
 #include "../src/relay/client_relay.hpp"
 #include "../src/relay/relay_socket.hpp"
 #include "../src/relay/server_relay.hpp"
-#include "fast_packet.hpp"
+#include "fast_queue.hpp"
+#include "traffic_count.hpp"
 
 #include <godot_cpp/classes/e_net_connection.hpp>
 #include <godot_cpp/classes/ref.hpp>
@@ -73,7 +74,7 @@ public:
 	void admit(const String &p_inner_address);
 	void send_fast(int64_t p_peer, const PackedByteArray &p_bytes);
 	void send_fast_each(const PackedInt32Array &p_peers, const TypedArray<PackedByteArray> &p_datagrams);
-	TypedArray<FastPacket> take_fast(int64_t p_ticks_usec);
+	TypedArray<FastPacket> take_fast(int64_t p_ticks_usec) { return _fast.take(p_ticks_usec); }
 	Dictionary take_refusal();
 	Dictionary stats() const;
 
@@ -83,7 +84,7 @@ public:
 	/// Hands the network what ENet has sent.
 	void send_out(int64_t p_now_usec);
 	/// Whether take_fast has something to take.
-	bool has_fast() const { return !_arrived.empty(); }
+	bool has_fast() const { return !_fast.is_empty(); }
 	/// The descriptor to watch.
 	int descriptor() const { return _socket.outer(); }
 
@@ -105,13 +106,8 @@ private:
 	size_t _handed_in = 0;
 	uint64_t _refusals_taken = 0;
 	int64_t _looked_usec = 0;
-	TypedArray<FastPacket> _fast;
-	// The same again: an Array gives its elements away more slowly.
-	std::vector<FastPacket *> _arrived;
-	uint64_t _sent_bytes = 0;
-	uint64_t _sent_datagrams = 0;
-	uint64_t _received_bytes = 0;
-	uint64_t _received_datagrams = 0;
+	FastQueue _fast;
+	TrafficCount _traffic;
 };
 
 } // namespace godot

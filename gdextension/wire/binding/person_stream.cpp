@@ -118,14 +118,6 @@ PackedFloat32Array PersonStream::restore(int p_tick) const {
 	return orientations;
 }
 
-Vector3 PersonStream::restore_root(int p_tick) const {
-	if (!_is_tick(p_tick)) {
-		return Vector3();
-	}
-	const std::array<int32_t, 3> &root = _states[std::size_t(p_tick)].root;
-	return Vector3(float(root[0] * 0.001), float(root[1] * 0.001), float(root[2] * 0.001));
-}
-
 Vector2 PersonStream::measure(int p_every, int p_age, int p_before_age, int p_rounds) const {
 	double encoding = 0.0;
 	double decoding = 0.0;
@@ -157,7 +149,6 @@ void PersonStream::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("encode", "tick", "base", "before"), &PersonStream::encode);
 	ClassDB::bind_method(D_METHOD("decode", "bytes", "tick", "base", "before"), &PersonStream::decode);
 	ClassDB::bind_method(D_METHOD("restore", "tick"), &PersonStream::restore);
-	ClassDB::bind_method(D_METHOD("restore_root", "tick"), &PersonStream::restore_root);
 	ClassDB::bind_method(D_METHOD("measure", "every", "age", "before_age", "rounds"), &PersonStream::measure);
 }
 

@@ -27,7 +27,6 @@ public:
 	PackedByteArray encode(int p_tick, int p_base, int p_before) const;
 	bool decode(const PackedByteArray &p_bytes, int p_tick, int p_base, int p_before) const;
 	PackedFloat32Array restore(int p_tick) const;
-	Vector3 restore_root(int p_tick) const;
 	Vector2 measure(int p_every, int p_age, int p_before_age, int p_rounds) const;
 
 protected:

@@ -173,12 +173,6 @@ PackedInt32Array SnapshotSmoother::get_moved_bodies() const {
 	return result;
 }
 
-void SnapshotSmoother::forget_body(int64_t p_body) {
-	if (is_id(p_body)) {
-		_smoother.forget_body(uint16_t(p_body));
-	}
-}
-
 void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_method", "method"), &SnapshotSmoother::set_method);
 	ClassDB::bind_method(D_METHOD("get_method"), &SnapshotSmoother::get_method);
@@ -208,7 +202,6 @@ void SnapshotSmoother::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("body_transform", "body"), &SnapshotSmoother::body_transform);
 	ClassDB::bind_method(D_METHOD("newest_body_transform", "body"), &SnapshotSmoother::newest_body_transform);
 	ClassDB::bind_method(D_METHOD("get_moved_bodies"), &SnapshotSmoother::get_moved_bodies);
-	ClassDB::bind_method(D_METHOD("forget_body", "body"), &SnapshotSmoother::forget_body);
 	ClassDB::bind_method(D_METHOD("clear"), &SnapshotSmoother::clear);
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "method", PROPERTY_HINT_ENUM,
 						 "None,Linear,Extrapolate and lerp,Hermite,Error offset,Adaptive low delay"),

@@ -63,7 +63,6 @@ public:
 	double field(int64_t p_entity, int64_t p_field) const;
 
 	void forget_entity(int64_t p_entity);
-	void forget_body(int64_t p_body);
 	void clear() { _smoother.clear(); }
 	/// What other classes of this module read.
 	const wire::Smoother &get_core() const { return _smoother; }

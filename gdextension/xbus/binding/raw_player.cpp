@@ -178,11 +178,6 @@ double RawPlayer::get_length_s() const {
 	return double(_last_usec - _first_usec) / 1e6;
 }
 
-double RawPlayer::get_position_s() const {
-	const std::lock_guard<std::mutex> lock(_mutex);
-	return double(_at_usec - _first_usec) / 1e6;
-}
-
 TypedArray<Dictionary> RawPlayer::get_streams() const {
 	const std::lock_guard<std::mutex> lock(_mutex);
 	TypedArray<Dictionary> result;
@@ -298,7 +293,6 @@ void RawPlayer::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("step"), &RawPlayer::step);
 	ClassDB::bind_method(D_METHOD("is_at_end"), &RawPlayer::is_at_end);
 	ClassDB::bind_method(D_METHOD("get_length_s"), &RawPlayer::get_length_s);
-	ClassDB::bind_method(D_METHOD("get_position_s"), &RawPlayer::get_position_s);
 	ClassDB::bind_method(D_METHOD("get_streams"), &RawPlayer::get_streams);
 	ClassDB::bind_method(D_METHOD("get_stats"), &RawPlayer::get_stats);
 	ClassDB::bind_method(D_METHOD("get_devices"), &RawPlayer::get_devices);

@@ -32,7 +32,6 @@ public:
 	Dictionary step();
 	bool is_at_end() const;
 	double get_length_s() const;
-	double get_position_s() const;
 	TypedArray<Dictionary> get_streams() const;
 	Dictionary get_stats() const;
 	TypedArray<SuitDevice> get_devices() const;

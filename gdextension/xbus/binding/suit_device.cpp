@@ -61,10 +61,6 @@ void SuitDevice::take_trackers(uint64_t p_now_usec, double p_speed) {
 	}
 }
 
-int64_t SuitDevice::get_usb_id() const {
-	return int64_t((uint32_t(_report.known.vendor) << 16U) | _report.known.product);
-}
-
 String SuitDevice::get_address() const {
 	return as_string(_report.address);
 }
@@ -93,7 +89,6 @@ String SuitDevice::get_kind_text() const {
 void SuitDevice::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_number"), &SuitDevice::get_number);
 	ClassDB::bind_method(D_METHOD("get_name"), &SuitDevice::get_name);
-	ClassDB::bind_method(D_METHOD("get_usb_id"), &SuitDevice::get_usb_id);
 	ClassDB::bind_method(D_METHOD("get_address"), &SuitDevice::get_address);
 	ClassDB::bind_method(D_METHOD("is_open"), &SuitDevice::is_open);
 	ClassDB::bind_method(D_METHOD("get_state"), &SuitDevice::get_state);

@@ -43,7 +43,6 @@ public:
 
 	int64_t get_number() const { return _report.number; }
 	String get_name() const { return _name; }
-	int64_t get_usb_id() const;
 	String get_address() const;
 	bool is_open() const { return _report.is_open; }
 	State get_state() const { return _state; }

@@ -179,5 +179,5 @@ static func _ratio(p_given: float, p_own: float) -> float:
 
 
 static func _is_length(p_metres: float) -> bool:
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	return p_metres > 0.0 and p_metres < INF

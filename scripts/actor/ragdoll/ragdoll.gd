@@ -94,7 +94,7 @@ func get_bone_transform(p_bone: StringName) -> Transform3D:
 	if shown_bone.is_valid():
 		return shown_bone.call(bone)
 	if motor != null:
-		return BonePlaces.of(skeleton, get_simulator(), bone)
+		return BoneTransforms.of(skeleton, get_simulator(), bone)
 	return skeleton.global_transform * skeleton.get_bone_global_pose(bone)
 
 

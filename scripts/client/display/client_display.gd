@@ -34,7 +34,7 @@ func _unhandled_input(p_event: InputEvent) -> void:
 	elif headset != null and p_event.is_action_pressed(&"enter_headset"):
 		var fault: String = headset.display.enter()
 		if fault != "":
-			_on_told("No headset: %s." % fault)
+			_on_notified("No headset: %s." % fault)
 		get_viewport().set_input_as_handled()
 	elif mode is StereoDisplay and p_event.is_action_pressed(&"swap_eyes"):
 		(mode as StereoDisplay).swap()
@@ -46,7 +46,7 @@ func _unhandled_input(p_event: InputEvent) -> void:
 func open(p_context: ClientContext) -> String:
 	super(p_context)
 	context.fresh_file = fresh_file
-	context.told.connect(tell)
+	context.notified.connect(tell)
 	_show(context.options)
 	return ""
 
@@ -158,7 +158,7 @@ func _note_work() -> void:
 func _place_wearer(p_step_s: float) -> void:
 	if not is_own_view():
 		return
-	var place: WearerPlace = null
+	var place: WearerTransform = null
 	if context.people != null:
 		place = context.people.find_wearer(context.scene.replica, context.own_bodies)
 	if _tracks_head():
@@ -188,7 +188,7 @@ func _agree(p_tick: float) -> float:
 
 
 ## A station whose eyes are those of its wearer: the walls are the wearer's real room.
-func _place_station(p_wall: WallDisplay, p_place: WearerPlace, p_step_s: float) -> void:
+func _place_station(p_wall: WallDisplay, p_place: WearerTransform, p_step_s: float) -> void:
 	if p_place == null or not context.scene.people().has(p_place.actor):
 		# Until there is a body again, the walls show what the window would show.
 		p_wall.camera = context.scene.view.camera
@@ -252,12 +252,12 @@ func _tracks_head() -> bool:
 func _begin(p_mode: DisplayMode) -> void:
 	p_mode.name = "Mode"
 	p_mode.camera = context.scene.view.camera
-	p_mode.told.connect(_on_told)
+	p_mode.notified.connect(_on_notified)
 	p_mode.failed.connect(_fall_back)
 	add_child(p_mode)
 
 
-func _on_told(p_text: String) -> void:
+func _on_notified(p_text: String) -> void:
 	Log.info("display", p_text)
 	context.hud.show_news(p_text)
 	tell(p_text)

@@ -6,7 +6,6 @@ extends RefCounted
 ## Their rows.
 static func rows() -> Array[OptionRow]:
 	var showing: PackedStringArray = ProgramRoles.showing()
-	var all: PackedStringArray = ProgramRoles.names()
 	var sources: PackedStringArray = ["both", "hmd", "suit"]
 	return [
 		OptionRow.choices_of(

@@ -159,7 +159,7 @@ func evaluate(p_now_usec: int, p_replica: WorldReplica) -> Dictionary[int, Packe
 ## it is not known.
 func find_wearer(
 	p_replica: WorldReplica, p_own: Dictionary[int, PackedFloat32Array]
-) -> WearerPlace:
+) -> WearerTransform:
 	if first_actor < 0 or not p_replica.has_person(first_actor):
 		return null
 	var floats: PackedFloat32Array = p_own.get(first_actor, PackedFloat32Array())
@@ -167,7 +167,7 @@ func find_wearer(
 		floats = p_replica.person_floats(first_actor)
 	for motion: ClientMotion in _motions:
 		if motion.actor == first_actor and motion.newest != null:
-			var place: WearerPlace = WearerPlace.new()
+			var place: WearerTransform = WearerTransform.new()
 			place.actor = first_actor
 			place.carrier = p_replica.decoder.get_frame(first_actor)
 			if place.carrier >= 0 and p_replica.has_body(place.carrier):

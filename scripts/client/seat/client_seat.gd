@@ -35,7 +35,7 @@ func open(p_context: ClientContext) -> String:
 			return _controls.list.error
 	_controls.has_body = context.can(Roles.Capability.SEND_MOTION)
 	_controls.view_changed.connect(context.scene.view.look_through)
-	_controls.told.connect(context.hud.show_news)
+	_controls.notified.connect(context.hud.show_news)
 	_controls.seat_changed.connect(_on_seat_changed)
 	if DisplayServer.get_name() != "headless":
 		var hud: VehicleHud = (

@@ -29,7 +29,7 @@ func open(p_context: ClientContext) -> String:
 	_live.link.token_file = SessionTokenFile.claim(where, role, _live.request.name)
 	_live.status_changed.connect(context.hud.show_message)
 	_live.restarted.connect(context.hud.show_note.bind("", _NOTE))
-	_live.link.told.connect(_on_told)
+	_live.link.notified.connect(_on_notified)
 	_shared = SharedClient.new(_live.link, role)
 	_live.connecting.connect(_shared.reconnect)
 	context.scene.get_level().shared = _shared.api
@@ -71,10 +71,10 @@ func _ask_about_keys() -> void:
 	dialog.leave_wanted.connect(context.leave_wanted.emit.bind(StateStream.EXIT_DONE))
 
 
-func _on_told(p_text: String) -> void:
+func _on_notified(p_text: String) -> void:
 	Log.warning("client", p_text)
 	context.hud.show_note(p_text, _NOTE)
-	context.told.emit(p_text)
+	context.notified.emit(p_text)
 
 
 func _close_shared() -> void:

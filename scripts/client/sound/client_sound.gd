@@ -52,7 +52,7 @@ func open(p_context: ClientContext) -> String:
 	_settings = context.settings if context.settings != null else UserSettings.new()
 	_menu = SoundMenu.new()
 	context.menu.add_page("Sound", _menu, _menu.open, _menu.closed)
-	context.told.connect(func(_text: String) -> void: click_radio())
+	context.notified.connect(func(_text: String) -> void: click_radio())
 	voices = SoundVoices.new()
 	voices.surroundings.set_absorption(_absorption_of)
 	add_child(voices)
@@ -71,7 +71,7 @@ func open(p_context: ClientContext) -> String:
 	_tick.volume_db = _TICK_DB
 	_tick.stream = SoundBank.find(&"radio_begin").pick()
 	add_child(_tick)
-	_scene.happening_told.connect(_on_told)
+	_scene.notified.connect(_on_notified)
 	voices.captioned.connect(_on_captioned)
 	_captions.shown.connect(lines.show_caption)
 	_scene.entities.struck.connect(_on_struck)
@@ -164,7 +164,7 @@ func _on_switched(p_name: StringName, p_is_on: bool) -> void:
 
 
 ## News on the screen are heard as well.
-func _on_told(_text: String) -> void:
+func _on_notified(_text: String) -> void:
 	_tick.play()
 
 

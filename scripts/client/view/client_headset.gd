@@ -197,7 +197,7 @@ func place(p_due_usec: int, p_step_s: float) -> void:
 
 
 ## The own body is somewhere.
-func follow_body(p_place: WearerPlace) -> void:
+func follow_body(p_place: WearerTransform) -> void:
 	if p_place.actor != _actor:
 		_actor = p_place.actor
 		_room.restart()

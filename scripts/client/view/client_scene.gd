@@ -6,7 +6,7 @@ extends Node3D
 ## What the user should know of the level; empty: nothing.
 signal level_noted(p_text: String)
 ## A notice about what has happened, which screens show for a while.
-signal happening_told(p_text: String)
+signal notified(p_text: String)
 ## The server's level is not on this machine.
 signal level_missing(p_why: String)
 
@@ -61,7 +61,7 @@ func switch_torch() -> void:
 func next_camera() -> void:
 	var level: Level = _level.level
 	var views: Array[ObserverCamera] = [] if level == null else level.get_cameras()
-	happening_told.emit(view.look_through_next(views))
+	notified.emit(view.look_through_next(views))
 
 
 ## Sets the visible worlds and the camera; returns what is wrong, or an empty text.
@@ -217,8 +217,8 @@ func _on_entity_added(p_row: EntityRow, p_node: Entity, p_body: PhysicsBody3D) -
 	if p_node != null:
 		entities.bind(p_row, p_node)
 		var zone: TriggerZone = p_node.get_parent() as TriggerZone
-		if zone != null and not zone.told.is_connected(happening_told.emit):
-			zone.told.connect(happening_told.emit)
+		if zone != null and not zone.notified.is_connected(notified.emit):
+			zone.notified.connect(notified.emit)
 
 
 func _add_person(p_row: EntityRow) -> void:

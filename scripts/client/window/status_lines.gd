@@ -17,7 +17,7 @@ func open(p_context: ClientContext) -> String:
 	context.scene.replica.marked.connect(_on_marked)
 	context.stream.restarted.connect(context.stats.probe.restart)
 	context.scene.level_noted.connect(context.hud.show_note.bind(&"level"))
-	context.scene.happening_told.connect(context.hud.show_news)
+	context.scene.notified.connect(context.hud.show_news)
 	return ""
 
 

@@ -35,7 +35,9 @@ var _window: PackedInt64Array = []
 ## A frame begins. Takes the moment for which the runtime wants its picture (ns of the runtime's
 ## clock; 0: none), now by the system's monotonic clock (µs), now by [method Time.get_ticks_usec]
 ## (µs), and the rate that the runtime says (Hz; 0: none).
-func note(p_predicted_ns: int, p_monotonic_usec: int, p_now_usec: int, p_told_hz: float) -> void:
+func note(
+	p_predicted_ns: int, p_monotonic_usec: int, p_now_usec: int, p_reported_hz: float
+) -> void:
 	if p_predicted_ns <= 0:
 		return
 	var step_ns: int = p_predicted_ns - _predicted_ns
@@ -48,7 +50,7 @@ func note(p_predicted_ns: int, p_monotonic_usec: int, p_now_usec: int, p_told_hz
 	var ahead: int = p_predicted_ns / 1000 - p_monotonic_usec
 	is_exact = absi(ahead) < _SAME_CLOCK_USEC
 	if not is_exact:
-		ahead = _guess(p_predicted_ns / 1000 - p_now_usec, p_told_hz)
+		ahead = _guess(p_predicted_ns / 1000 - p_now_usec, p_reported_hz)
 	due_usec = maxi(due_usec, p_now_usec + ahead)
 
 
@@ -57,13 +59,13 @@ func rate_hz() -> float:
 	return 1e9 / _step_ns if _step_ns > 0 else 0.0
 
 
-func _guess(p_apart_usec: int, p_told_hz: float) -> int:
+func _guess(p_apart_usec: int, p_reported_hz: float) -> int:
 	_window.append(p_apart_usec)
 	if _window.size() > _WINDOW:
 		_window.remove_at(0)
 	var earliest: int = _window[0]
 	for apart: int in _window:
 		earliest = maxi(earliest, apart)
-	var rate: float = p_told_hz if p_told_hz > 0.0 else rate_hz()
+	var rate: float = p_reported_hz if p_reported_hz > 0.0 else rate_hz()
 	var lead: float = _LEAD_FRAMES * 1e6 / (rate if rate > 0.0 else _USUAL_HZ)
 	return maxi(0, p_apart_usec - earliest + roundi(minf(lead, _LEAD_USEC)))

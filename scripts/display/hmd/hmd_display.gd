@@ -71,7 +71,7 @@ var _is_waiting: bool = false
 # The user has asked to go into the headset and gets a notice of a fault.
 var _is_asked: bool = false
 # The notice that the headset is back has been shown.
-var _is_told: bool = false
+var _is_notified: bool = false
 # The headset is there but refuses: only a request of the user tries again, until the headset was
 # away.
 var _is_refused: bool = false
@@ -135,8 +135,8 @@ func is_worn() -> bool:
 
 
 ## Goes into the headset, such as by a key after it was lost. Returns why it cannot be, or an empty
-## text: then the program starts again as soon as the runtime has answered, or [signal told] says
-## what it answered.
+## text: then the program starts again as soon as the runtime has answered, or [signal notified] has
+## its answer.
 func enter() -> String:
 	if _view != null:
 		return ""
@@ -241,7 +241,7 @@ func _begin() -> void:
 	_guard = RuntimeGuard.new()
 	_guard.begin()
 	get_tree().process_frame.connect(_on_frame_begun)
-	told.emit("The headset shows the world (%s)." % _runtime.describe())
+	notified.emit("The headset shows the world (%s)." % _runtime.describe())
 
 
 func _show_frame(p_delta: float) -> void:
@@ -249,7 +249,7 @@ func _show_frame(p_delta: float) -> void:
 	# Its clock stands still as well while nobody wears it.
 	if not _runtime.is_running():
 		_watch.restart(now)
-	elif _watch.has_ended(_runtime.predicted_ns(), _runtime.told_rate_hz(), now):
+	elif _watch.has_ended(_runtime.predicted_ns(), _runtime.reported_rate_hz(), now):
 		_lose("The headset's runtime has ended: the window goes on.")
 		return
 	var rate: float = _runtime.rate_hz()
@@ -296,35 +296,35 @@ func _find_headset(p_has_tried: bool) -> String:
 		return fault
 	# It is there and does not take us: coming back by itself would go on for ever.
 	_is_refused = true
-	_is_told = true
+	_is_notified = true
 	return _REFUSED if p_has_tried else _way_back.enter()
 
 
 ## The runtime has answered a window that waits.
 func _take_answer() -> void:
 	if not _way_back.is_ready():
-		_is_told = false
+		_is_notified = false
 		_is_refused = false
 		_why_lost = "No headset: %s." % _way_back.fault
 		if _is_asked:
 			_is_asked = false
-			told.emit(_why_lost)
+			notified.emit(_why_lost)
 		lost.emit()
 		return
-	var was_told: bool = _is_told
-	_is_told = true
-	if not was_told:
+	var was_notified: bool = _is_notified
+	_is_notified = true
+	if not was_notified:
 		returned.emit()
 	if not _is_asked and (_is_refused or not returns_by_itself):
-		if not was_told:
-			told.emit("The headset is back: choose it in the menu to go into it.")
+		if not was_notified:
+			notified.emit("The headset is back: choose it in the menu to go into it.")
 		return
-	told.emit("The headset is back: going into it.")
+	notified.emit("The headset is back: going into it.")
 	_is_asked = false
 	var fault: String = _way_back.enter()
 	_is_refused = true
 	Log.warning("headset", fault)
-	told.emit("No headset: %s." % fault)
+	notified.emit("No headset: %s." % fault)
 
 
 func _lose(p_why: String) -> void:
@@ -340,7 +340,7 @@ func _lose(p_why: String) -> void:
 func _await_return(p_why: String) -> void:
 	_why_lost = p_why
 	Log.warning("headset", p_why)
-	told.emit(p_why + ("" if _is_refused else " It is entered when the runtime has it."))
+	notified.emit(p_why + ("" if _is_refused else " It is entered when the runtime has it."))
 	lost.emit()
 
 
@@ -399,4 +399,4 @@ func _on_stepped(p_step: int) -> void:
 		_suns.set_shown(get_tree().root, row["shadows"])
 	quality_wanted.emit(row["detail"])
 	var text: String = "The picture is drawn %s to hold %d Hz."
-	told.emit(text % [keeper.describe(), roundi(_runtime.rate_hz())])
+	notified.emit(text % [keeper.describe(), roundi(_runtime.rate_hz())])

@@ -11,7 +11,7 @@ extends RefCounted
 var interface: OpenXRInterface = null
 
 var _api: OpenXRAPIExtension = null
-var _told_hz: float = 0.0
+var _reported_hz: float = 0.0
 var _forecast: DisplayForecast = DisplayForecast.new()
 
 
@@ -32,14 +32,14 @@ func predicted_ns() -> int:
 
 
 ## The rate that the runtime says in this frame, Hz; 0 where it does not, or is no more.
-func told_rate_hz() -> float:
-	return _told_hz
+func reported_rate_hz() -> float:
+	return _reported_hz
 
 
 ## The rate of the headset, Hz: as the runtime says, else the shortest step of its clock; 0 before
 ## the first frames.
 func rate_hz() -> float:
-	var told: float = told_rate_hz()
+	var told: float = reported_rate_hz()
 	return told if told > 0.0 else _forecast.rate_hz()
 
 
@@ -57,9 +57,9 @@ func is_running() -> bool:
 
 ## A frame begins: notes when the runtime will show it.
 func note_frame() -> void:
-	_told_hz = interface.get_display_refresh_rate()
+	_reported_hz = interface.get_display_refresh_rate()
 	var now: int = Time.get_ticks_usec()
-	_forecast.note(predicted_ns(), ThreadClock.get_monotonic_usec(), now, _told_hz)
+	_forecast.note(predicted_ns(), ThreadClock.get_monotonic_usec(), now, _reported_hz)
 
 
 ## When this frame will be seen, µs of [method Time.get_ticks_usec]; 0 where it is not known: see

@@ -41,8 +41,8 @@ var _kept: Dictionary[StringName, Variant] = {}
 func set_up(p_mode: String, p_eye_distance_m: float, p_convergence_m: float) -> String:
 	var kind: int = StereoMode.find(p_mode)
 	if kind <= StereoMode.Kind.MONO:
-		var ways: String = ", ".join(StereoMode.NAMES.slice(1))
-		return "there is no stereo '%s': it is one of %s" % [ByteReader.clean(p_mode), ways]
+		var modes: String = ", ".join(StereoMode.NAMES.slice(1))
+		return "there is no stereo '%s': it is one of %s" % [ByteReader.clean(p_mode), modes]
 	var fault: String = check_eyes(p_eye_distance_m, p_convergence_m)
 	if fault != "":
 		return fault
@@ -112,7 +112,7 @@ func close() -> void:
 ## Gives each eye the other one's picture.
 func swap() -> void:
 	swap_eyes = not swap_eyes
-	told.emit("The eyes are swapped" if swap_eyes else "The eyes are as they were")
+	notified.emit("The eyes are swapped" if swap_eyes else "The eyes are as they were")
 
 
 func report() -> Dictionary:

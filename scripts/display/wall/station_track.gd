@@ -73,8 +73,8 @@ static func _between(p_from: StationMessage, p_to: StationMessage, p_tick: float
 	found.eye = p_from.eye.lerp(p_to.eye, part)
 	var right: Vector3 = p_from.right.lerp(p_to.right, part)
 	found.right = right.normalized() if right.length() > 0.1 else p_to.right
-	var way: Transform3D = p_from.mount.affine_inverse() * p_to.mount
-	var turn: Quaternion = way.basis.get_rotation_quaternion()
+	var offset: Transform3D = p_from.mount.affine_inverse() * p_to.mount
+	var turn: Quaternion = offset.basis.get_rotation_quaternion()
 	var axis: Vector3 = turn.get_axis()
 	var angle: float = wrapf(turn.get_angle(), -PI, PI)
 	var by: Basis = Basis.IDENTITY
@@ -83,7 +83,7 @@ static func _between(p_from: StationMessage, p_to: StationMessage, p_tick: float
 		by = Basis(axis, angle * part)
 		# The chord of a longer or shorter arc points elsewhere by half of what the turn differs.
 		half = Basis(axis, angle * (part - 1.0) * 0.5)
-	found.mount = p_from.mount * Transform3D(by, half * way.origin * part)
+	found.mount = p_from.mount * Transform3D(by, half * offset.origin * part)
 	return found
 
 

@@ -114,10 +114,10 @@ func set_eye(p_eye: Vector3, p_right: Vector3 = Vector3.RIGHT) -> void:
 		_right = p_right.normalized()
 		if _is_eye_lost:
 			_is_eye_lost = false
-			told.emit("The viewer's eyes are tracked again")
+			notified.emit("The viewer's eyes are tracked again")
 	elif not _is_eye_lost:
 		_is_eye_lost = true
-		told.emit(fault.left(1).to_upper() + fault.substr(1) + ": the last good place is kept")
+		notified.emit(fault.left(1).to_upper() + fault.substr(1) + ": the last good place is kept")
 
 
 ## Where the eyes are, in the station's frame, m.
@@ -158,7 +158,7 @@ func show_test_picture(p_index: int) -> void:
 	_test = posmod(p_index, TestPicture.Kind.size()) as TestPicture.Kind
 	for pane: WallPane in _panes:
 		pane.show_test(_test)
-	told.emit("On the walls: " + TestPicture.TITLES[_test])
+	notified.emit("On the walls: " + TestPicture.TITLES[_test])
 
 
 ## Shows the next test picture, and after the last one the world.
@@ -169,7 +169,7 @@ func next_test_picture() -> void:
 ## Gives each eye the other one's picture.
 func swap() -> void:
 	swap_eyes = not swap_eyes
-	told.emit("The eyes are swapped" if swap_eyes else "The eyes are as they were")
+	notified.emit("The eyes are swapped" if swap_eyes else "The eyes are as they were")
 
 
 func report() -> Dictionary:
@@ -214,7 +214,7 @@ func _follow_tracker() -> void:
 		set_eye((eyes as Transform3D).origin, (eyes as Transform3D).basis.x)
 	elif _lost_tracker_s >= 0.0 and now_s - _lost_tracker_s > 5.0:
 		_lost_tracker_s = INF
-		told.emit("No tracker '%s' tells where the eyes are: check its source" % layout.track)
+		notified.emit("No tracker '%s' tells where the eyes are: check its source" % layout.track)
 	elif _lost_tracker_s <= 0.0:
 		_lost_tracker_s = now_s
 

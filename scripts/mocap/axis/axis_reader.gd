@@ -5,7 +5,7 @@ extends StreamReader
 ## text, by UDP or TCP. Bones come in the order of Noitom's skeleton; the rotation's order is to be
 ## YXZ, its default. Y up, right-handed, centimetres and degrees; on the bone above.
 
-## How many bones the skeleton has, and on which each hangs.
+## Number of bones of the skeleton, and the parent of each.
 const BONES: int = 59
 const PARENTS: PackedInt32Array = [
 	-1,
@@ -68,7 +68,7 @@ const PARENTS: PackedInt32Array = [
 	56,
 	57
 ]
-## Joint of each bone, -1 for those between joints; fingers are counted from the hand's.
+## Joint of each bone, -1 for bones between joints; joints of fingers are counted from the hand's.
 const JOINTS: PackedInt32Array = [
 	XRBodyTracker.JOINT_HIPS,
 	XRBodyTracker.JOINT_RIGHT_UPPER_LEG,
@@ -88,7 +88,7 @@ const JOINTS: PackedInt32Array = [
 	XRBodyTracker.JOINT_RIGHT_LOWER_ARM,
 	XRBodyTracker.JOINT_RIGHT_HAND,
 ]
-## The first bone of each arm, and joints of the fingers behind its hand, counted from the hand's.
+## First bone of each arm, and joints of the fingers after its hand, counted from the hand's.
 const RIGHT_ARM: int = 13
 const LEFT_ARM: int = 36
 const FINGERS: PackedInt32Array = [
@@ -101,22 +101,22 @@ const END: int = 0xEEFF
 ## Values of one frame: with displacement, or the hips' position and rotations only.
 const VALUES: int = BONES * 6
 const FEW_VALUES: int = 3 + BONES * 3
-## A reference comes first where the sender says so.
+## Number of values of the reference that comes before the bones, if the header says so.
 const REFERENCE: int = 6
-## What of a TCP stream waits for its end, bytes.
+## Greatest number of bytes of a TCP stream that wait for the rest of their frame.
 const MAX_WAITING: int = 1 << 18
 const _MAX_SENDERS: int = 16
-## Frames of one piece that are read.
+## Greatest number of frames that are read from one piece of data.
 const _MAX_FRAMES: int = 64
 
-## Whether it is a TCP stream: then frames may come in pieces.
+## Whether it is a TCP stream, in which frames may come in pieces.
 var is_tcp: bool = false
 
 var _waiting: Dictionary[String, PackedByteArray] = {}
-# The last values of each avatar of each sender.
+# Last values of each avatar of each sender, by both their names.
 var _last_values: Dictionary[String, PackedFloat32Array] = {}
 var _counted: int = 0
-# Of the datagram that is read.
+# Sender of the datagram that is being read.
 var _sender: String = ""
 var _builder: PoseBuilder = PoseBuilder.new()
 var _turns: Array[Quaternion] = []
@@ -182,8 +182,8 @@ static func joint_of(p_bone: int) -> int:
 	return finger + (XRBodyTracker.JOINT_LEFT_HAND if is_left else XRBodyTracker.JOINT_RIGHT_HAND)
 
 
-## Reads one frame that begins somewhere. Returns where the next one begins; the same place where
-## more bytes are needed.
+## Reads one frame that begins at an offset. Returns the offset of the next one, or the same offset
+## if more bytes are needed.
 func _read_frame(p_bytes: PackedByteArray, p_at: int, r_samples: Array[StreamSample]) -> int:
 	if p_bytes.size() - p_at < 2:
 		return p_at
@@ -288,7 +288,7 @@ func _sample(p_values: PackedFloat32Array, p_with_places: bool) -> StreamSample:
 		fault = "a frame of %d values instead of %d" % [p_values.size(), needed]
 		return null
 	for value: float in p_values:
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not absf(value) < 1e6:
 			fault = "a frame has a value that is no angle and no place"
 			return null

@@ -78,7 +78,7 @@ func measure(p_name: StringName, p_metres: float) -> String:
 	if not RATIOS.has(p_name):
 		return "there is no measure '%s', only %s" % [p_name, ", ".join(RATIOS.keys())]
 	var usual: float = RATIOS[p_name] * height
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not (p_metres >= usual * MIN_PART and p_metres <= usual * MAX_PART):
 		var parts: Array = [p_name, usual * MIN_PART, usual * MAX_PART, height, p_metres]
 		return "%s is between %.2f and %.2f m for a height of %.2f m, found %.2f m" % parts

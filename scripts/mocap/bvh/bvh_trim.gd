@@ -51,14 +51,14 @@ static func _count(p_rig: BvhRig, p_backwards: bool) -> int:
 	if frames <= 3:
 		return 0
 	for frame: int in range(1, maxi(last, 1) + 1):
-		var step: float = trim._way(frame - 1, frame)
+		var step: float = trim._distance(frame - 1, frame)
 		var is_jump: bool = step > _JUMP_M and step > _JUMP_M_S * frame_time
 		# A single frame may be still or not: the person may be running already.
-		if is_jump and (frame > 1 or step > _JUMP_BY_NEXT * trim._way(1, 2)):
+		if is_jump and (frame > 1 or step > _JUMP_BY_NEXT * trim._distance(1, 2)):
 			return trim._after_transition(frame, step)
 		if trim._turns_at_once(frame):
 			return frame
-		if trim._way(0, frame) > _STILL_M or trim._turn(0, frame) > _STILL_RAD:
+		if trim._distance(0, frame) > _STILL_M or trim._turn(0, frame) > _STILL_RAD:
 			return 0
 	return 0
 
@@ -69,7 +69,7 @@ func _after_transition(p_frame: int, p_step: float) -> int:
 	var end: int = mini(
 		p_frame + int(_MAX_TRANSITION_S / _rig.clip.frame_time), _rig.clip.frame_count - 2
 	)
-	while frame < end and _way(frame, frame + 1) > _TRANSITION * p_step:
+	while frame < end and _distance(frame, frame + 1) > _TRANSITION * p_step:
 		frame += 1
 	# A person who goes on as fast as that has not jumped.
 	return frame if frame < end or end <= p_frame else p_frame
@@ -82,7 +82,7 @@ func _turns_at_once(p_frame: int) -> bool:
 
 
 ## How far the hips are apart in two frames, m.
-func _way(p_first: int, p_second: int) -> float:
+func _distance(p_first: int, p_second: int) -> float:
 	return _rig.hips_position(_time(p_first)).distance_to(_rig.hips_position(_time(p_second)))
 
 

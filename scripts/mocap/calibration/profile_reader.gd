@@ -143,7 +143,7 @@ func _rotation(p_data: Dictionary, p_field: String) -> Quaternion:
 			error = "%s: expected 4 numbers, found %s" % [p_field, _short(list)]
 			return Quaternion.IDENTITY
 	var turn: Quaternion = Quaternion(list[0], list[1], list[2], list[3])
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not absf(turn.length() - 1.0) < 0.01:
 		error = "%s: is no rotation, its norm is %f" % [p_field, turn.length()]
 		return Quaternion.IDENTITY
@@ -179,7 +179,7 @@ func _number(
 	if error == "" and not found is float:
 		error = "%s: expected a number, found %s" % [p_field, _short(found)]
 	var number: float = found if found is float else 0.0
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if error == "" and not (number >= p_least and number <= p_most):
 		error = "%s: expected %s to %s, found %s" % [p_field, p_least, p_most, number]
 	return number

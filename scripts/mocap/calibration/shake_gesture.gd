@@ -21,7 +21,7 @@ const _STEP_S: float = 0.03
 
 var _last: SensorFrame = null
 # Of each sensor: the direction in which it turned last, and when it changed that.
-var _ways: PackedVector3Array = PackedVector3Array()
+var _last_rates: PackedVector3Array = PackedVector3Array()
 var _changes: Array[PackedFloat64Array] = []
 # When each was last not still, s.
 var _moved_s: PackedFloat64Array = PackedFloat64Array()
@@ -30,7 +30,7 @@ var _moved_s: PackedFloat64Array = PackedFloat64Array()
 ## Forgets what came before.
 func clear() -> void:
 	_last = null
-	_ways.clear()
+	_last_rates.clear()
 	_changes.clear()
 	_moved_s.clear()
 
@@ -40,7 +40,7 @@ func add(p_frame: SensorFrame) -> bool:
 	if _last == null or p_frame.count() != _last.count():
 		clear()
 		_last = p_frame
-		_ways.resize(p_frame.count())
+		_last_rates.resize(p_frame.count())
 		_moved_s.resize(p_frame.count())
 		for _sensor: int in p_frame.count():
 			_changes.append(PackedFloat64Array())
@@ -84,9 +84,9 @@ func _note(p_sensor: int, p_rate: Vector3, p_now_s: float) -> bool:
 	if p_rate.length() < FAST:
 		return false
 	var changes: PackedFloat64Array = _changes[p_sensor]
-	if _ways[p_sensor].dot(p_rate) < 0.0:
+	if _last_rates[p_sensor].dot(p_rate) < 0.0:
 		changes.append(p_now_s)
-	_ways[p_sensor] = p_rate
+	_last_rates[p_sensor] = p_rate
 	while not changes.is_empty() and changes[0] < p_now_s - WITHIN_S:
 		changes.remove_at(0)
 	_changes[p_sensor] = changes

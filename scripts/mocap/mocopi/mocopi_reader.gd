@@ -19,9 +19,9 @@ const BTRS: int = 0x73727462
 const BTDT: int = 0x74647462
 const BNID: int = 0x64696E62
 const TRAN: int = 0x6E617274
-## What the header names.
+## Name of the format in the header.
 const FORMAT: String = "sony motion format"
-## How many bones there are, and on which each hangs.
+## Number of bones, and the parent of each.
 const BONES: int = 27
 const PARENTS: PackedInt32Array = [
 	-1, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 7, 11, 12, 13, 7, 15, 16, 17, 0, 19, 20, 21, 0, 23, 24, 25
@@ -59,9 +59,9 @@ const JOINTS: PackedInt32Array = [
 ]
 ## Bytes of a rotation and a position.
 const _TRAN_BYTES: int = 28
-## Boxes in one datagram that are looked at.
+## Greatest number of boxes that are read in one datagram.
 const _MAX_BOXES: int = 512
-## Senders whose bones at rest are kept.
+## Greatest number of senders whose bones at rest are kept.
 const _MAX_SENDERS: int = 16
 
 var _rest: Dictionary[String, Array] = {}
@@ -115,7 +115,7 @@ func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 	return _sample(_rest.get(p_sender, []))
 
 
-## The end of a box that begins somewhere, or -1 where it can't be one.
+## End of the box that begins at an offset, or -1 if no box can begin there.
 func _end_of(p_at: int, p_limit: int) -> int:
 	_boxes += 1
 	if p_limit - p_at < 8 or _boxes > _MAX_BOXES:
@@ -195,7 +195,7 @@ func _take(p_bone: int, p_at: int) -> bool:
 		_bytes.decode_float(p_at + 20),
 		_bytes.decode_float(p_at + 24)
 	)
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not absf(turn.length() - 1.0) < 0.1 or not place.length() < 1e4:
 		fault = "bone %d has no rotation or place (%s, %s)" % [p_bone, turn, place]
 		return false
@@ -205,7 +205,7 @@ func _take(p_bone: int, p_at: int) -> bool:
 	return true
 
 
-## Keeps how the bones lie at rest in the world, and the hips' height there.
+## Keeps the global rotations of the bones at rest, and the height of the hips.
 func _keep_rest(p_sender: String) -> void:
 	if _rest.size() >= _MAX_SENDERS and not _rest.has(p_sender):
 		_rest.erase(_rest.keys()[0])

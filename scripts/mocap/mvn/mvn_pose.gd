@@ -5,7 +5,7 @@ extends RefCounted
 ## [MvnSegments] defines what a segment is and where it points; here samples are put into its
 ## order, and what shows only over time is handled.
 
-## No segment is further from the pelvis than this, m: such positions are in centimetres.
+## Greatest distance of a segment from the pelvis, m: positions beyond it are in centimetres.
 const MAX_REACH: float = 5.0
 ## The stream's frame by type.
 const FRAMES: Dictionary[int, SourceFrames.Frame] = {
@@ -66,7 +66,7 @@ static func finger_joint(p_finger: int) -> int:
 	return thumb + _FINGER_STEPS[step]
 
 
-## Fewer segments than a body has: only their numbers say which.
+## Reads a sample with fewer segments than a body has: their numbers say which they are.
 func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
 	var wxyz: PackedFloat32Array = []
 	wxyz.resize(MvnSegments.COUNT * 4)
@@ -86,7 +86,7 @@ func _read_some(p_sample: Dictionary, p_wxyz: PackedFloat32Array) -> PoseSample:
 	return MvnSegments.pose(wxyz, positions, FRAMES[p_sample["type"]], present)
 
 
-## Of all items, as w, x, y, z in the stream's frame.
+## Rotations of all items, as w, x, y, z in the stream's frame.
 static func _rotations(p_sample: Dictionary) -> PackedFloat32Array:
 	if p_sample["type"] != 1:
 		return p_sample["orientations"]

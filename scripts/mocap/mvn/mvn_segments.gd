@@ -6,7 +6,7 @@ extends RefCounted
 ## faces X (SPEC 2.6.2): that is our rotation from the reset pose, in MVN's axes
 ## ([SourceFrames]). It is calibrated already.
 
-## How many segments a body has.
+## Number of segments of a body.
 const COUNT: int = 23
 ## Segment of each limb of [Limbs], in the order of types 01 and 02.
 const OF_LIMBS: PackedInt32Array = [0, 2, 4, 6, 12, 13, 14, 8, 9, 10, 19, 20, 21, 15, 16, 17]
@@ -22,7 +22,7 @@ const OTHERS: Dictionary[int, int] = {
 const UNITY_ORDER: PackedInt32Array = [
 	0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3, 4, 11, 12, 13, 14, 7, 8, 9, 10, 5, 6
 ]
-## For each segment of types 01 and 02 the one that it hangs on, -1 for the pelvis.
+## Parent of each segment of types 01 and 02, -1 for the pelvis.
 const PARENTS: PackedInt32Array = [
 	-1, 0, 1, 2, 3, 4, 5, 4, 7, 8, 9, 4, 11, 12, 13, 0, 15, 16, 17, 0, 19, 20, 21
 ]
@@ -77,7 +77,7 @@ static func pose(
 		var turn: Quaternion = Quaternion(
 			values[at], values[at + 1], values[at + 2], values[at + 3]
 		)
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if present[segment] != 0 and not absf(turn.length() - 1.0) < 0.1:
 			return null
 		turns.append(turn.normalized() if present[segment] != 0 else Quaternion.IDENTITY)
@@ -86,7 +86,7 @@ static func pose(
 	return _pose_of(turns, positions, present)
 
 
-## Puts Unity's order right and makes its local rotations and positions global.
+## Sorts Unity's segments into the usual order and makes their local rotations and positions global.
 static func _sort_unity(
 	r_turns: Array[Quaternion], r_positions: PackedVector3Array, r_present: PackedByteArray
 ) -> void:

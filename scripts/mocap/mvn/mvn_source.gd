@@ -52,7 +52,7 @@ func get_body() -> BodySize:
 	return size
 
 
-## The newest pose, or null; for those who show it.
+## The newest pose, or null; use it to show the pose, and [method sample] to send it.
 func get_newest() -> PoseSample:
 	_mutex.lock()
 	_pump()
@@ -61,8 +61,8 @@ func get_newest() -> PoseSample:
 	return pose
 
 
-## Takes what is known of the stream of this person, see [method MvnReceiver.get_characters]; the
-## main thread calls it.
+## Takes the stats of this person's stream, see [method MvnReceiver.get_characters]; the main thread
+## calls it.
 func note(p_stats: Dictionary) -> void:
 	var scale: Dictionary = _receiver.get_newest(character, 13)
 	_mutex.lock()

@@ -2,7 +2,7 @@ class_name MvnStream
 extends RefCounted
 ## MVN's network stream: a person for each character that comes.
 
-## Somebody's motion has begun to come.
+## The motion of a new person arrives.
 signal appeared(p_source: MotionSource, p_name: String)
 ## A person's motion has stopped.
 signal vanished(p_source: MotionSource)
@@ -11,9 +11,9 @@ signal trackers_appeared(p_feed: MvnTrackerFeed, p_name: String)
 ## Those trackers have stopped.
 signal trackers_vanished(p_feed: MvnTrackerFeed)
 
-## Wait for somebody's name, s; after it the person has none.
+## Time to wait for a person's name, s; after it the person has none.
 const NAME_PATIENCE_S: float = 1.0
-## Period of checking who is there, s.
+## Time between two checks of who is in the stream, s.
 const LOOK_S: float = 0.1
 ## Types of the stream that are poses.
 const POSES: Array[int] = [1, 2, 5]
@@ -22,11 +22,11 @@ const POSES: Array[int] = [1, 2, 5]
 var receiver: MvnReceiver = MvnReceiver.new()
 ## Metres of the stream's unit of length; 0: as the types have it.
 var unit_m: float = 0.0
-## Those who are there, by the number of their character.
+## People in the stream, by the number of their character.
 var people: Dictionary[int, MvnSource] = {}
-## Trackers of those who have no pose, by the number of their character.
+## Trackers of people without a pose, by the number of their character.
 var trackers: Dictionary[int, MvnTrackerFeed] = {}
-## Who is in the stream and how their samples come, see [method MvnReceiver.get_characters].
+## People in the stream and stats of their samples, see [method MvnReceiver.get_characters].
 var characters: Array[Dictionary] = []
 
 var _seen_s: Dictionary[int, float] = {}
@@ -76,7 +76,7 @@ func trouble() -> String:
 	return "\n".join(texts)
 
 
-## One line for people.
+## One line of text about the stream, for the user.
 func describe() -> String:
 	if receiver.get_port() == 0:
 		return "MVN's stream is not open"

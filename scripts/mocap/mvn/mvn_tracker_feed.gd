@@ -23,7 +23,7 @@ func _init(p_receiver: MvnReceiver = null, p_character: int = 0) -> void:
 	character = p_character
 
 
-## Takes what is known of the stream of this person, see [method MvnReceiver.get_characters].
+## Takes the stats of this person's stream, see [method MvnReceiver.get_characters].
 func note(p_stats: Dictionary) -> void:
 	_mutex.lock()
 	_stats = p_stats

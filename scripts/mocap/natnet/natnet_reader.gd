@@ -292,7 +292,7 @@ func _read_bones(p_skeleton: Skeleton) -> StreamSample:
 		var turn: Quaternion = _bytes.read_turn()
 		# The mean error of markers, and whether it is tracked.
 		_bytes.skip(6)
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if absf(turn.length() - 1.0) < 0.1 and place.length() < 1e4:
 			turns[bone] = turn.normalized()
 			places[bone] = place

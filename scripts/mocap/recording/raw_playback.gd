@@ -73,7 +73,7 @@ func close() -> void:
 		stream.close()
 
 
-## One line for people.
+## One line of text about the stream, for the user.
 func describe() -> String:
 	return "recording %s, %.0f s" % [_name, player.get_length_s()]
 

@@ -1,22 +1,22 @@
 class_name Lz4
 extends RefCounted
-## Unpacks LZ4 frames (the LZ4 frame format 1.6 and block format of lz4.org). Checksums are not
-## looked at: UDP has its own.
+## Unpacks LZ4 frames (frame format 1.6 and block format of lz4.org). It does not verify their
+## checksums: UDP has its own.
 
 const _MAGIC: int = 0x184D2204
-## Flags of the frame: blocks have checksums, the size of the content is said, a dictionary is
+## Flags of the frame: blocks have checksums, the frame has the size of its content, a dictionary is
 ## named.
 const _BLOCK_CHECKSUM: int = 0x10
 const _CONTENT_SIZE: int = 0x08
 const _DICTIONARY: int = 0x01
 
 
-## Whether bytes begin as a frame does.
+## Whether bytes begin with the magic number of a frame.
 static func is_frame(p_bytes: PackedByteArray) -> bool:
 	return p_bytes.size() >= 7 and p_bytes.decode_u32(0) == _MAGIC
 
 
-## The content of a frame, at most so many bytes; empty where it is none.
+## The content of a frame, at most [param p_limit] bytes; empty if the bytes are no frame.
 static func unpack(p_bytes: PackedByteArray, p_limit: int) -> PackedByteArray:
 	var flags: int = p_bytes[4]
 	if flags >> 6 != 1 or flags & _DICTIONARY != 0:
@@ -42,7 +42,7 @@ static func unpack(p_bytes: PackedByteArray, p_limit: int) -> PackedByteArray:
 	return PackedByteArray()
 
 
-## Appends what a block holds. Returns false where it is none.
+## Appends the content of a block. Returns false if the bytes are no block.
 static func _unpack_block(
 	p_bytes: PackedByteArray, p_begin: int, p_end: int, r_out: PackedByteArray, p_limit: int
 ) -> bool:
@@ -82,7 +82,8 @@ static func _unpack_block(
 	return true
 
 
-## Appends so many bytes from so far back; they may reach into what is being appended.
+## Appends [param p_count] bytes from [param p_back] bytes before the end; they may overlap those
+## that are being appended.
 static func _repeat(r_out: PackedByteArray, p_back: int, p_count: int) -> void:
 	var left: int = p_count
 	var begin: int = r_out.size() - p_back

@@ -81,7 +81,7 @@ const MAX_TEXT: int = 1 << 20
 const _HALF: float = 0.7071067811865476
 const _MAX_ACTORS: int = 8
 
-# By bone, what turns its rotation in the T-pose back.
+# Inverse of each bone's rotation in the T-pose.
 var _rests: Dictionary[String, Quaternion] = {}
 var _json: StreamJson = StreamJson.new()
 var _builder: PoseBuilder = PoseBuilder.new()
@@ -151,7 +151,7 @@ func _read_actor(p_actor: Dictionary) -> StreamSample:
 			continue
 		var turn: Quaternion = StreamJson.quaternion(StreamJson.child(body[bone], "rotation"))
 		var place: Vector3 = StreamJson.vector(StreamJson.child(body[bone], "position"))
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not absf(turn.length() - 1.0) < 0.1:
 			fault = "%s has no rotation" % bone
 			continue

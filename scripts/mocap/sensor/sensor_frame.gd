@@ -75,7 +75,7 @@ func find_fault() -> String:
 		return "%d magnetic fields for %d sensors" % [magnetics.size(), sensors]
 	for sensor: int in sensors:
 		var norm: float = orientation(sensor).length()
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if present[sensor] != 0 and not (norm > 0.9 and norm < 1.1):
 			return "sensor %d has no rotation (norm %f)" % [sensor, norm]
 	return ""

@@ -71,7 +71,7 @@ var signal_dbm: int = 0
 var ping_s: float = -1.0
 ## When something came last, and when something was sent, µs of Unix time.
 var heard_usec: int = 0
-var told_usec: int = 0
+var reported_usec: int = 0
 ## Number and time of the last ping.
 var ping_number: int = 0
 var ping_usec: int = 0
@@ -306,7 +306,7 @@ func _floats() -> Quaternion:
 
 
 func _take_turn(p_number: int, p_turn: Quaternion, p_usec: int) -> String:
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not absf(p_turn.length() - 1.0) < 0.1:
 		return "sensor %d has a rotation of length %.2f" % [p_number, p_turn.length()]
 	var sensor: SlimeSensor = _sensor(p_number)

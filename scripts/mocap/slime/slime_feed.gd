@@ -76,8 +76,8 @@ func talk(p_now_usec: int) -> Array[StreamPort.Parcel]:
 	var parcels: Array[StreamPort.Parcel] = []
 	_mutex.lock()
 	for device: SlimeDevice in _devices.values():
-		if p_now_usec - device.told_usec >= ALIVE_USEC:
-			device.told_usec = p_now_usec
+		if p_now_usec - device.reported_usec >= ALIVE_USEC:
+			device.reported_usec = p_now_usec
 			parcels.append(
 				_parcel(device, SlimeDevice.packet(SlimeDevice.Packet.HEARTBEAT, PackedByteArray()))
 			)

@@ -104,7 +104,7 @@ func trouble() -> String:
 	return "\n".join(texts)
 
 
-## One line for people.
+## One line of text about the stream, for the user.
 func describe() -> String:
 	var texts: PackedStringArray = []
 	for stream: PoseStream in poses:

@@ -3,7 +3,7 @@ extends RefCounted
 ## A network stream of poses: what a [StreamReader] reads from a [StreamPort], as people who come
 ## and go. Poses are read in the port's thread, as soon as they come.
 
-## Somebody's motion has begun to come.
+## The motion of a new person arrives.
 signal appeared(p_source: MotionSource, p_name: String)
 ## A person's motion has stopped.
 signal vanished(p_source: MotionSource)
@@ -18,7 +18,7 @@ const FORGOTTEN_S: float = 10.0
 const MAX_PEOPLE: int = 8
 ## Maximum of senders of whom something is known.
 const MAX_SENDERS: int = 32
-## Period of checking who is there, s.
+## Time between two checks of who is in the stream, s.
 const LOOK_S: float = 0.1
 
 ## What receives.
@@ -128,7 +128,7 @@ func trouble() -> String:
 	return "\n".join(texts)
 
 
-## One line for people.
+## One line of text about the stream, for the user.
 func describe() -> String:
 	if not port.is_open():
 		return "%s is not open" % title()

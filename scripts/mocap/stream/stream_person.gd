@@ -43,7 +43,7 @@ var _age_usec: int = 0
 var _age_before_usec: int = 0
 var _aged_usec: int = 0
 var _hips_m: float = 0.0
-var _is_told: bool = false
+var _has_hip_height: bool = false
 var _lengths: PackedFloat32Array = PackedFloat32Array()
 var _measured: int = 0
 
@@ -101,7 +101,7 @@ func get_body() -> BodySize:
 	return size
 
 
-## The newest pose, or null; for those who show it.
+## The newest pose, or null; use it to show the pose, and [method sample] to send it.
 func get_newest() -> PoseSample:
 	_mutex.lock()
 	var pose: PoseSample = _newest
@@ -193,7 +193,7 @@ func _note_age(p_arrival_usec: int) -> void:
 ## Takes the lengths of the limbs from where they are.
 func _measure(p_pose: PoseSample, p_hips_m: float) -> void:
 	if p_hips_m > 0.2 and p_hips_m < 2.0:
-		_is_told = true
+		_has_hip_height = true
 		_hips_m = p_hips_m
 	if p_pose.details == null or p_pose.details.positions.size() != Limbs.COUNT:
 		return
@@ -210,5 +210,5 @@ func _measure(p_pose: PoseSample, p_hips_m: float) -> void:
 	var leg: float = 0.0
 	for limb: int in Limbs.LEGS:
 		leg += _lengths[limb] / 2.0
-	if not _is_told and leg > LEGS_M.x and leg < LEGS_M.y:
+	if not _has_hip_height and leg > LEGS_M.x and leg < LEGS_M.y:
 		_hips_m = leg * HIPS_PER_LEG

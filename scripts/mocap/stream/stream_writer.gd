@@ -14,6 +14,11 @@ func _init(p_size: BodySize = BodySize.new()) -> void:
 	_figure = BodySegments.new(p_size)
 
 
+## Says who it is of the people that one program sends: a number from 0, and a name.
+func set_person(_p_number: int, _p_name: String) -> void:
+	pass
+
+
 ## What is to be sent for a pose that was taken at [member PoseSample.time_usec]: datagrams, or
 ## pieces of a TCP stream, in their order.
 func write(_p_pose: PoseSample) -> Array[PackedByteArray]:

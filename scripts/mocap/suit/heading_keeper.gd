@@ -138,7 +138,7 @@ func _follow(p_table: SuitTable) -> void:
 		drift.reset()
 	_calibration = p_table.calibration
 	_size = p_table.size
-	SensorPlaces.new(_size).set_joints(drift)
+	SensorPositions.new(_size).set_joints(drift)
 	_mounts = p_table.mounts.duplicate()
 	for sensor: int in _mounts.size():
 		var entry: Calibration.Entry = p_table.entry(sensor)

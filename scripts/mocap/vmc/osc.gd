@@ -3,14 +3,14 @@ extends RefCounted
 ## Messages of Open Sound Control 1.0 as VMC uses them: texts, numbers of 32 and 64 bits, bytes and
 ## bundles. Everything is big-endian and a multiple of 4 bytes.
 
-## Messages of one datagram that are read.
+## Greatest number of messages that are read from one datagram.
 const MAX_MESSAGES: int = 512
-## Bundles may lie in bundles so deep.
+## Greatest depth of bundles in bundles.
 const MAX_DEPTH: int = 4
-## Arguments of one message that are read.
+## Greatest number of arguments that are read from one message.
 const MAX_ARGUMENTS: int = 64
 
-## Why the last datagram is none, or an empty text.
+## Why the last datagram cannot be read, or an empty text.
 var fault: String = ""
 
 var _bytes: PackedByteArray = PackedByteArray()
@@ -107,7 +107,7 @@ func _read_message() -> void:
 		fault = "more than %d OSC messages in a datagram" % MAX_MESSAGES
 		return
 	var found: Array = [_text()]
-	# Types are read as bytes: a letter of a text would be a text of its own each.
+	# Types are read as bytes: each letter of a String would be a new String.
 	var tag: int = _buffer.get_position()
 	var count: int = _bytes.find(0, tag) - tag
 	if fault == "":

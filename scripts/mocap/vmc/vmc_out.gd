@@ -3,7 +3,7 @@ extends RefCounted
 ## Sends the poses of this client's people to programs that receive the VMC protocol: the first
 ## one's to a port, the next one's to the port behind it, as that protocol has one person a port.
 
-## Whom to send to: an IPv4 address, and the first one's port.
+## Receiver: an IPv4 address, and the port of the first person.
 var address: String = ""
 var port: int = 0
 

@@ -9,22 +9,22 @@ extends StreamReader
 ## come, or else when the next one begins; bones of it that got lost are put between their
 ## neighbours.
 
-## Senders whose bones are kept.
+## Greatest number of senders whose bones are kept.
 const _MAX_SENDERS: int = 16
-## Devices of a sender that are named.
+## Greatest number of devices of a sender that are listed.
 const _MAX_DEVICES: int = 8
-## A lower leg is longer than that, m: else a stream has no positions.
+## Least length of a lower leg, m: a stream with a shorter one has no positions.
 const _MIN_LEG: float = 0.1
 
-## Where the sender's time is not known.
+## Time of a frame whose sender gives none.
 const _UNKNOWN: int = -1
-## A sender whose time goes back by more has begun anew, µs.
+## Step back in a sender's time beyond which the sender has started again, µs.
 const _RESTART_USEC: int = 1000000
-## Frames that may wait for their bones, and how many in a row may lack some.
+## Greatest number of frames that wait for their bones, and of frames in a row that lack some.
 const _MAX_OPEN: int = 6
 const _MAX_SHORT: int = 60
 
-# All joints, those nearer to the hips first.
+# All joints, parents before their children.
 var _order: PackedInt32Array = _find_order()
 var _osc: Osc = Osc.new()
 var _actors: Dictionary[String, Actor] = {}
@@ -34,7 +34,7 @@ var _actors: Dictionary[String, Actor] = {}
 class Frame:
 	## The sender's time, µs, or -1.
 	var usec: int = -1
-	## Where it is among others: its time, or a count where the sender does not say one.
+	## Order among frames: its time, or a count if the sender gives no time.
 	var key: int = 0
 	## When its newest bone arrived, µs of Unix time.
 	var arrival_usec: int = 0
@@ -42,23 +42,23 @@ class Frame:
 	var bones: Dictionary[int, Transform3D] = {}
 
 
-## What has come of one sender.
+## State of one sender.
 class Actor:
-	## The bones of the last frame that is done, and its key.
+	## Bones of the last finished frame, and its key.
 	var bones: Dictionary[int, Transform3D] = {}
 	var key: int = -1
-	## Frames that are not done, oldest first.
+	## Unfinished frames, oldest first.
 	var frames: Array[Frame] = []
-	## How many bones a whole frame has, and frames in a row that were given out with fewer.
+	## Number of bones of a whole frame, and of frames in a row that were passed on with fewer.
 	var count: int = 0
 	var short_frames: int = 0
-	## Bones that moved from the frame before to the last one, and those of them that have come
-	## again as they were.
+	## Bones that moved in the last frame, and those of them that have since come again
+	## unchanged.
 	var moving: Dictionary[int, bool] = {}
 	var repeated: Dictionary[int, bool] = {}
-	## Whether the time that the sender says has come with different bones: then it says nothing.
+	## Whether different bones have come with the same time: then the time is not used.
 	var is_timeless: bool = false
-	## The model in the world.
+	## Transform of the model in the world.
 	var root: Transform3D = Transform3D.IDENTITY
 	## Whether a model is loaded and calibrated, as far as the sender says.
 	var is_loaded: bool = true
@@ -196,7 +196,7 @@ static func _root_of(p_message: Array) -> Transform3D:
 	return root
 
 
-## Whether all bones are in others, the same.
+## Whether other bones contain all these bones with the same transforms.
 static func _is_contained(
 	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
 ) -> bool:
@@ -206,7 +206,7 @@ static func _is_contained(
 	return true
 
 
-## Whether some of the bones are in both.
+## Whether both have some bone.
 static func _meet(
 	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
 ) -> bool:
@@ -216,7 +216,8 @@ static func _meet(
 	return false
 
 
-## Whether bones come with a time with which others had come: it does not run, or too coarsely.
+## Whether bones come with a time that other bones had before: the sender's clock stands still or
+## is too coarse.
 static func _time_stands(
 	p_actor: Actor, p_bones: Dictionary[int, Transform3D], p_usec: int
 ) -> bool:
@@ -230,7 +231,7 @@ static func _time_stands(
 	return false
 
 
-## Whether a bone is in both, and not the same.
+## Whether some bone that both have differs.
 static func _differ(
 	p_bones: Dictionary[int, Transform3D], p_others: Dictionary[int, Transform3D]
 ) -> bool:
@@ -293,7 +294,7 @@ static func _frame_at(r_actor: Actor, p_key: int) -> Frame:
 	return frame
 
 
-## Gives out what is whole and all before it, or the oldest where too much has waited.
+## Passes on whole frames and all before them, or the oldest one if too many wait.
 func _settle(r_actor: Actor, r_samples: Array[StreamSample]) -> void:
 	var frames: Array[Frame] = r_actor.frames
 	if r_actor.count == 0:

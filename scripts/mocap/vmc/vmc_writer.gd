@@ -3,7 +3,7 @@ extends StreamWriter
 ## Writes somebody's poses as the VMC protocol: for other programs (the out direction), and in place
 ## of one that sends. See [VmcReader] for the frame.
 
-## Bones of one bundle: so that a datagram is not cut on its way.
+## Bones of one bundle: few enough for a datagram that is not fragmented.
 const BONES_PER_BUNDLE: int = 12
 
 var _began_usec: int = -1

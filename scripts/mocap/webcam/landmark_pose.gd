@@ -17,9 +17,9 @@ const KNEE: int = 25
 const ANKLE: int = 27
 const HEEL: int = 29
 const TOE: int = 31
-## Points that are seen less are not used, 0 to 1.
+## Visibility below which a point is not used, 0 to 1.
 const MIN_VISIBILITY: float = 0.5
-## A joint that bends by less shows no hinge, rad; from twice that on it is believed fully.
+## Bend below which a joint shows no hinge axis, rad; from twice that on the axis counts fully.
 const STRAIGHT: float = deg_to_rad(8.0)
 ## How far the nose is below the ears, seen from the side, for a head that is level, rad.
 const NOSE_PITCH: float = deg_to_rad(14.0)
@@ -28,7 +28,7 @@ var _filler: LimbFiller = LimbFiller.new()
 var _standing: StandingHeight = StandingHeight.new(BodySize.new())
 var _places: PackedVector3Array = PackedVector3Array()
 var _seen: PackedFloat32Array = PackedFloat32Array()
-# The last rotation of each mount, for what cannot be seen now.
+# Last rotation of each mount, used while it cannot be seen.
 var _last: Dictionary[int, Quaternion] = {}
 
 

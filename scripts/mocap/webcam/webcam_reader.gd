@@ -12,7 +12,7 @@ extends StreamReader
 ## Points say where limbs point, and elbows and knees how they are turned; [LandmarkPose] makes
 ## rotations of them.
 
-## How many points there are.
+## Number of points.
 const POINTS: int = 33
 
 var _json: StreamJson = StreamJson.new()
@@ -74,7 +74,7 @@ static func _numbers(p_point: Variant) -> PackedFloat64Array:
 	if numbers.size() == 3:
 		numbers.append(1.0)
 	for value: float in numbers:
-		# Written so that NaN fails too.
+		# A comparison that NaN fails, too.
 		if not absf(value) < 100.0:
 			return PackedFloat64Array()
 	return numbers

@@ -145,8 +145,10 @@ func _begin(p_sample: PoseSample) -> void:
 func _note_motion(p_frame: XrFrame, p_head: Quaternion) -> void:
 	if p_frame.has_head and _had_head and _step_s > 0.0:
 		var turn: float = Rotations.yaw_of(p_head * _last_head.inverse()) / _step_s
-		var way: Vector3 = p_frame.head.origin - _last_eyes
-		var speed: float = Vector2(way.x, way.z).length() / _step_s if p_frame.has_place else 0.0
+		var moved: Vector3 = p_frame.head.origin - _last_eyes
+		var speed: float = (
+			Vector2(moved.x, moved.z).length() / _step_s if p_frame.has_place else 0.0
+		)
 		heading.note_motion(speed, turn, _step_s)
 	if p_frame.has_head:
 		_last_head = p_head

@@ -41,8 +41,8 @@ static func across(p_vector: Vector3, p_along: Vector3) -> Vector3:
 
 ## The direction from one position to another, of length 1; down where they are one.
 static func direction(p_from: Vector3, p_to: Vector3) -> Vector3:
-	var way: Vector3 = p_to - p_from
-	return way.normalized() if way.length_squared() > 1e-12 else Vector3.DOWN
+	var offset: Vector3 = p_to - p_from
+	return offset.normalized() if offset.length_squared() > 1e-12 else Vector3.DOWN
 
 
 ## The least turn from one direction to another.

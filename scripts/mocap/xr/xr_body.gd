@@ -134,10 +134,10 @@ func _turn(p_frame: XrFrame, p_looks: float, p_step_s: float) -> void:
 	var wanted: float = p_looks
 	if p_frame.has_hands[0] != 0 and p_frame.has_hands[1] != 0:
 		var hands: Vector3 = (p_frame.hands[0].origin + p_frame.hands[1].origin) / 2.0 - _base
-		var way: Vector3 = Rotations.yaw(p_looks) * Vector3.BACK * 0.35
+		var ahead: Vector3 = Rotations.yaw(p_looks) * Vector3.BACK * 0.35
 		var there: Vector3 = Vector3(hands.x, 0.0, hands.z).limit_length(0.5)
-		if there.dot(way) > -0.03:
-			wanted = atan2(way.x + there.x, way.z + there.z)
+		if there.dot(ahead) > -0.03:
+			wanted = atan2(ahead.x + there.x, ahead.z + there.z)
 	var off: float = angle_difference(_yaw, wanted)
 	# Small turns of the head are the neck's; a walker faces where the path leads.
 	var free: float = FREE_YAW * clampf(1.0 - _velocity.length(), 0.0, 1.0)

@@ -35,8 +35,8 @@ var waits: bool = false
 ## What it waits for.
 var waits_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
 ## The position in the line that its last notice named, and what it waits for; 0: none.
-var told_position: int = 0
-var told_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
+var sent_position: int = 0
+var sent_for: JoinReply.Wait = JoinReply.Wait.INSTRUCTOR
 ## Whether it was refused.
 var refused: bool = false
 

@@ -175,8 +175,8 @@ func _send_positions() -> void:
 
 
 func _send_position(p_pending: PendingPeer, p_position: int) -> void:
-	if p_pending.told_position == p_position and p_pending.told_for == p_pending.waits_for:
+	if p_pending.sent_position == p_position and p_pending.sent_for == p_pending.waits_for:
 		return
-	p_pending.told_position = p_position
-	p_pending.told_for = p_pending.waits_for
+	p_pending.sent_position = p_position
+	p_pending.sent_for = p_pending.waits_for
 	_api.send_auth(p_pending.peer, JoinReply.wait(p_position, p_pending.waits_for))

@@ -60,7 +60,7 @@ var _target: Vector3 = Vector3.ZERO
 ## The person's own frame at the end of the last step, and the hips in it, smoothed.
 var _frame: Transform3D = Transform3D.IDENTITY
 var _hips: Vector3 = Vector3.ZERO
-var _place: SeatPlace = null
+var _place: SeatedHips = null
 var _lengths: Vector3 = Vector3.ZERO
 var _room: HatchRoom = null
 var _before: Dictionary[StringName, float] = {}
@@ -84,7 +84,7 @@ func _init(
 	_lengths = SeatedPose.lengths_of(p_person.ragdoll.profile)
 	_room = HatchRoom.new(p_person.ragdoll.profile)
 	_begin()
-	_place = SeatPlace.new(hold, _root().y)
+	_place = SeatedHips.new(hold, _root().y)
 	_hips = _place.place
 	_target = _hips_place()
 	_from = _body_transform().affine_inverse() * p_person.ragdoll.motor.get_frame()

@@ -186,7 +186,7 @@ func _start() -> void:
 		_fail()
 	elif RenderLock.is_needed():
 		# Without a window nobody sees the bones move.
-		BonePlaces.rest(ragdoll.get_skeleton())
+		BoneTransforms.rest(ragdoll.get_skeleton())
 
 
 func _find_joints() -> void:

@@ -20,7 +20,7 @@ static func parse(p_text: String) -> DriveScript:
 			numbers.append(word.to_float() if word.is_valid_float() else NAN)
 		var is_sound: bool = numbers.size() == 4 and is_finite(numbers[3]) and numbers[3] > 0.0
 		for index: int in mini(numbers.size(), 3):
-			# Written so that NaN fails too.
+			# A comparison that NaN fails, too.
 			is_sound = is_sound and numbers[index] >= -1.0 and numbers[index] <= 1.0
 		if not is_sound:
 			made.error = (

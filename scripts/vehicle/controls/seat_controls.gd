@@ -8,7 +8,7 @@ extends Node
 ## Another view is looked through from now on; null: none, as nobody sits any more.
 signal view_changed(p_view: SeatView)
 ## A text that the screen shows for a while.
-signal told(p_text: String)
+signal notified(p_text: String)
 ## Another seat, or none (null).
 signal seat_changed(p_seat: Seat)
 
@@ -133,7 +133,7 @@ func change_view() -> void:
 	if views.is_empty():
 		return
 	_look_through(views[(views.find(view) + 1) % views.size()])
-	told.emit(view.get_title() if view != null else "Your own view")
+	notified.emit(view.get_title() if view != null else "Your own view")
 
 
 ## The next seat of the vehicle that is free.
@@ -149,7 +149,7 @@ func change_seat() -> void:
 		if next.occupant() == 0:
 			next.interact()
 			return
-	told.emit("No other seat is free")
+	notified.emit("No other seat is free")
 
 
 ## The views of a seat: its own, then those of all seats of its vehicle.
@@ -185,7 +185,7 @@ func _take_key(p_event: InputEvent) -> bool:
 	var state: VehicleState = vehicle.state
 	if p_event.is_action_pressed(&"drive_gear"):
 		reader.change_gear()
-		told.emit("Gear: %s" % VehicleInput.Selector.find_key(reader.gear).to_lower())
+		notified.emit("Gear: %s" % VehicleInput.Selector.find_key(reader.gear).to_lower())
 	elif p_event.is_action_pressed(&"drive_engine"):
 		_order(&"engine", [0.0 if state.engine_on else 1.0])
 	elif p_event.is_action_pressed(&"drive_lamps"):

@@ -18,7 +18,7 @@ func _init(p_level: Level) -> void:
 ## Does the work: up to a second or two for a town.
 func run() -> void:
 	var findings: LevelFindings = LevelFindings.new(_level)
-	PlaceCheck.new(findings).run()
+	SpawnCheck.new(findings).run()
 	BuildCheck.new(findings).run()
 	FlickerCheck.new(findings).run()
 	WalkCheck.new(findings).run()

@@ -49,7 +49,7 @@ static func make(
 	return fault
 
 
-## One line for people.
+## One line of text about the stream, for the user.
 func describe() -> String:
 	var level: String = "fault" if severity == Severity.FAULT else "hint"
 	var node: String = String(path) if not path.is_empty() else "the level"

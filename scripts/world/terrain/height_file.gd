@@ -87,7 +87,7 @@ func _parse(p_bytes: PackedByteArray) -> String:
 		if side < HeightField.MIN_SIDE or side > HeightField.MAX_SIDE:
 			var limits: Array = [side, HeightField.MIN_SIDE, HeightField.MAX_SIDE]
 			return "a side of %d points: it must be %d to %d" % limits
-	# Written so that NaN fails too.
+	# A comparison that NaN fails, too.
 	if not (field.cell_m >= HeightField.MIN_CELL_M and field.cell_m <= HeightField.MAX_CELL_M):
 		return "points at a distance of %f m" % field.cell_m
 	if p_bytes.decode_u32(20) != p_bytes.size() - HEADER:

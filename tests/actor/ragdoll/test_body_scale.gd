@@ -24,38 +24,38 @@ func after_each() -> void:
 		_person = null
 
 
-func test_limbs_get_the_lengths_that_are_told() -> void:
+func test_limbs_get_the_lengths_that_are_reported() -> void:
 	for _round: int in ROUNDS:
-		var told: PackedFloat32Array = _random_lengths(0.55, 1.75, 0.0)
-		_make(told)
+		var given: PackedFloat32Array = _random_lengths(0.55, 1.75, 0.0)
+		_make(given)
 		var got: PackedFloat32Array = BodyScale.own_lengths(_person)
 		for limb: int in range(3, Limbs.COUNT):
-			almost_equal(got[limb], told[limb], 0.001, Limbs.BONES[limb])
+			almost_equal(got[limb], given[limb], 0.001, Limbs.BONES[limb])
 		# Where in the back the joints are, every skeleton has its own opinion.
-		almost_equal(got[0] + got[1] + got[2], told[0] + told[1] + told[2], 0.001, "trunk")
+		almost_equal(got[0] + got[1] + got[2], given[0] + given[1] + given[2], 0.001, "trunk")
 		for limb: int in [4, 5, 7, 8, 10, 11, 13, 14]:
 			var length: float = _anchor(limb).distance_to(_anchor(limb + 1))
-			almost_equal(length, told[limb], 0.001, Limbs.BONES[limb])
+			almost_equal(length, given[limb], 0.001, Limbs.BONES[limb])
 
 
 func test_what_is_not_told_follows_from_the_rest() -> void:
 	for _round: int in ROUNDS:
 		var factor: float = _random.randf_range(0.7, 1.3)
-		var told: PackedFloat32Array = []
+		var given: PackedFloat32Array = []
 		for limb: int in Limbs.COUNT:
-			told.append(_own[limb] * factor if _random.randf() < 0.4 else 0.0)
-		told[[4, 5, 10, 11][_random.randi() % 4]] = 0.0
-		told[14] = _own[14] * factor
-		_make(told, _soldier.get_hip_height() * factor if _random.randf() < 0.5 else 0.0)
+			given.append(_own[limb] * factor if _random.randf() < 0.4 else 0.0)
+		given[[4, 5, 10, 11][_random.randi() % 4]] = 0.0
+		given[14] = _own[14] * factor
+		_make(given, _soldier.get_hip_height() * factor if _random.randf() < 0.5 else 0.0)
 		var got: PackedFloat32Array = BodyScale.own_lengths(_person)
 		for limb: int in Limbs.COUNT:
 			almost_equal(got[limb], _own[limb] * factor, 0.001, Limbs.BONES[limb])
 
 
 func test_one_side_tells_of_the_other_and_the_hips_of_the_legs() -> void:
-	var told: PackedFloat32Array = _nothing()
-	told[4] = _own[4] * 1.2
-	_make(told, _soldier.get_hip_height() * 0.9)
+	var given: PackedFloat32Array = _nothing()
+	given[4] = _own[4] * 1.2
+	_make(given, _soldier.get_hip_height() * 0.9)
 	var got: PackedFloat32Array = BodyScale.own_lengths(_person)
 	almost_equal(got[7], _own[7] * 1.2, 0.001)
 	for limb: int in [10, 11, 13, 14]:
@@ -66,10 +66,10 @@ func test_the_hips_are_as_high_as_legs_and_feet_are_long() -> void:
 	for factor: float in [0.7, 0.8, 1.13, 1.3]:
 		_make(_times(factor))
 		almost_equal(_person.get_hip_height(), _soldier.get_hip_height() * factor, 0.005)
-		var told: PackedFloat32Array = _times(1.0)
+		var given: PackedFloat32Array = _times(1.0)
 		for limb: int in [10, 11, 13, 14]:
-			told[limb] *= factor
-		_make(told)
+			given[limb] *= factor
+		_make(given)
 		var legs: float = (_own[10] + _own[11]) * (factor - 1.0)
 		almost_equal(_person.get_hip_height() - _soldier.get_hip_height(), legs, 0.05)
 
@@ -105,9 +105,9 @@ func test_mass_goes_with_the_square_of_the_height() -> void:
 
 
 func test_a_longer_limb_is_heavier_than_its_neighbour() -> void:
-	var told: PackedFloat32Array = _times(1.0)
-	told[4] *= 1.4
-	_make(told)
+	var given: PackedFloat32Array = _times(1.0)
+	given[4] *= 1.4
+	_make(given)
 	is_true(_bone(&"LeftUpperArm").mass > 1.3 * _bone(&"RightUpperArm").mass)
 	is_true(_strength(&"LeftUpperArm") > 1.2 * _strength(&"RightUpperArm"))
 
@@ -184,14 +184,14 @@ func test_characters_of_any_kind_can_be_fitted() -> void:
 				_person.free()
 			_person = RestSamples.make(kind)
 			_person.make_bodies()
-			var told: PackedFloat32Array = BodyScale.own_lengths(_person)
+			var given: PackedFloat32Array = BodyScale.own_lengths(_person)
 			for limb: int in Limbs.COUNT:
-				told[limb] *= 0.9 if limb <= 3 else 0.8 if limb < 10 else 1.2
-			is_true(_person.fit(told))
+				given[limb] *= 0.9 if limb <= 3 else 0.8 if limb < 10 else 1.2
+			is_true(_person.fit(given))
 			equal(_person.profile.find_fault(), "")
 			var got: PackedFloat32Array = BodyScale.own_lengths(_person)
 			for limb: int in Limbs.COUNT:
-				almost_equal(got[limb], told[limb], 0.001, Limbs.BONES[limb])
+				almost_equal(got[limb], given[limb], 0.001, Limbs.BONES[limb])
 			var skin: Array[PackedVector3Array] = _skin(_person)
 			for limb: RagdollLimb in _person.profile.limbs:
 				var off: float = _farthest(limb, skin[Limbs.find(limb.bone)])
@@ -212,11 +212,11 @@ func test_scenes_of_other_people_stay_as_they_are() -> void:
 
 
 func test_nothing_told_changes_nothing() -> void:
-	for told: PackedFloat32Array in [_nothing(), _own, PackedFloat32Array()]:
+	for given: PackedFloat32Array in [_nothing(), _own, PackedFloat32Array()]:
 		var person: Ragdoll = SOLDIER.instantiate()
 		var profile: RagdollProfile = person.profile
-		is_false(person.fit(told, 0.0))
-		is_false(person.fit(told, 0.0), "and again")
+		is_false(person.fit(given, 0.0))
+		is_false(person.fit(given, 0.0), "and again")
 		is_true(person.profile == profile)
 		equal(person.get_hip_height(), _soldier.get_hip_height())
 		person.free()
@@ -230,10 +230,10 @@ func test_nothing_told_changes_nothing() -> void:
 func test_hostile_lengths_are_limited() -> void:
 	var bad: Array[float] = [NAN, INF, -INF, -1.0, 1e30, 1e-30, 0.031, 1.19, 0.0]
 	for _round: int in 40:
-		var told: PackedFloat32Array = []
+		var given: PackedFloat32Array = []
 		for limb: int in Limbs.COUNT:
-			told.append(bad[_random.randi() % bad.size()] if _random.randf() < 0.7 else _own[limb])
-		_make(told, bad[_random.randi() % bad.size()])
+			given.append(bad[_random.randi() % bad.size()] if _random.randf() < 0.7 else _own[limb])
+		_make(given, bad[_random.randi() % bad.size()])
 		equal(_person.profile.find_fault(), "")
 		is_true(_person.get_joints().is_sound())
 		for limb: int in Limbs.COUNT:
@@ -241,10 +241,10 @@ func test_hostile_lengths_are_limited() -> void:
 			is_true(factor > 0.49 and factor < 1.81, "%s times %f" % [Limbs.BONES[limb], factor])
 	for size: int in [1, 15, 17, 1000]:
 		var person: Ragdoll = SOLDIER.instantiate()
-		var told: PackedFloat32Array = []
-		told.resize(size)
-		told.fill(0.4)
-		is_false(person.fit(told))
+		var given: PackedFloat32Array = []
+		given.resize(size)
+		given.fill(0.4)
+		is_false(person.fit(given))
 		person.free()
 
 

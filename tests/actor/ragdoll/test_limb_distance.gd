@@ -91,7 +91,7 @@ func test_overlaps_are_found_and_taken_away() -> void:
 	equal(left[&"Head"], 1.0)
 
 
-func test_what_cannot_be_kept_apart_is_told() -> void:
+func test_what_cannot_be_kept_apart_is_reported() -> void:
 	_soldier.find(&"LeftUpperLeg").radius = 0.4
 	LimbDistance.keep_apart(_soldier)
 	is_true(not RagdollBuilder.overlaps(_soldier).is_empty())

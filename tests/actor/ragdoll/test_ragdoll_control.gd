@@ -114,7 +114,6 @@ func test_a_limb_without_physics_follows_exactly_and_is_shown_so() -> void:
 	control.physics_blend = 0.0
 	motor.set_limb_control(control, 0.2)
 	await _stage.run(60)
-	equal(motor.get_physics_blend(&"LeftHand"), 0.0)
 	is_true(player.error_deg(LEFT_HAND, player.pose.call(_stage.time_s)) < 0.7)
 	is_true(player.worst_error_deg(player.pose.call(_stage.time_s)) < 3.0)
 	# Half-way, a limp arm is shown between where it hangs and where the motion has it.

@@ -145,7 +145,7 @@ func test_a_bad_file_is_told_and_the_person_stands() -> void:
 	DirAccess.remove_absolute(text)
 
 
-func test_wrong_options_are_told() -> void:
+func test_wrong_options_are_reported() -> void:
 	for wrong: String in ["--bhv=x", "--duration=soon", "--duration=-1", "more"]:
 		contains(TuningArguments.parse([wrong]).error, "found '")
 	_open(["--duration=soon"])

@@ -45,7 +45,7 @@ func _init(p_name: String, p_port: int, p_heights: PackedFloat32Array) -> void:
 	# No lambdas: they would hold this, which holds the link, which holds them.
 	_link.lost.connect(_on_lost)
 	_link.refused.connect(_on_refused)
-	_link.told.connect(_on_told)
+	_link.notified.connect(_on_told)
 	_link.state_received.connect(_on_state)
 	_link.set_motion_ack_taker(_writer.take_ack)
 

@@ -82,7 +82,7 @@ func test_a_name_is_asked_once() -> void:
 	equal(_control.asked, [["calibrate", 7, 0, quick], ["kick", 8]])
 
 
-func test_orders_that_make_no_sense_are_told() -> void:
+func test_orders_that_make_no_sense_are_reported() -> void:
 	for text: String in [
 		"calibrate:Ada", "calibrate-:Ada", "calibrate-dance:Ada", "calibrate-full", "full:Ada", ":"
 	]:

@@ -78,7 +78,7 @@ func test_a_lost_connection_tells_them_again() -> void:
 	equal([_pair.returned.size(), _pair.left.size()], [1, 0])
 
 
-func test_a_body_that_has_grown_is_told() -> void:
+func test_a_body_that_has_grown_is_reported() -> void:
 	var suit: SuitSource = SuitSource.new(WornSensorFeed.new())
 	_people.add(suit, "Ada")
 	_join()

@@ -23,7 +23,7 @@ func test_sources_become_people() -> void:
 	equal(_desk.guide(1.0), "")
 
 
-func test_nothing_to_move_by_is_told() -> void:
+func test_nothing_to_move_by_is_reported() -> void:
 	contains(_open([]), "--bvh")
 	equal(_desk.people.count(), 0)
 

@@ -26,7 +26,7 @@ func test_options_reach_the_display() -> void:
 
 
 func test_who_looks_ahead_faces_as_people_do() -> void:
-	var place: WearerPlace = WearerPlace.new()
+	var place: WearerTransform = WearerTransform.new()
 	place.actor = 3
 	place.frame = Transform3D(Basis(Vector3.UP, 0.5), Vector3(4.0, 0.2, -1.0))
 	_headset.follow_body(place)
@@ -38,7 +38,7 @@ func test_who_looks_ahead_faces_as_people_do() -> void:
 
 
 func test_recentring_moves_the_wearer_and_not_the_world() -> void:
-	var place: WearerPlace = WearerPlace.new()
+	var place: WearerTransform = WearerTransform.new()
 	place.actor = 3
 	_headset.follow_body(place)
 	var head: Transform3D = Transform3D(Basis(Vector3.UP, 1.1), Vector3(0.7, 1.6, 0.4))
@@ -51,7 +51,7 @@ func test_recentring_moves_the_wearer_and_not_the_world() -> void:
 
 
 func test_a_platform_that_moves_leaves_the_view_where_the_cabin_is() -> void:
-	var place: WearerPlace = WearerPlace.new()
+	var place: WearerTransform = WearerTransform.new()
 	place.actor = 3
 	_headset.follow_body(place)
 	var head: Transform3D = Transform3D(Basis.IDENTITY, Vector3(0.0, 1.2, 0.1))

@@ -71,7 +71,7 @@ func test_a_prop_that_is_named_late_is_placed_though_it_rests() -> void:
 	almost_equal(crate.global_transform, _stream.places[CRATE], 0.01)
 
 
-func test_the_own_body_is_where_it_is_told() -> void:
+func test_the_own_body_is_where_it_is_reported() -> void:
 	_show([ADA], [CRATE])
 	var floats: PackedFloat32Array = _scene.replica.person_floats(ADA)
 	for limb: int in Limbs.COUNT:
@@ -174,7 +174,7 @@ func test_a_level_that_is_another_is_said() -> void:
 	is_false(_scene.get_level().differs)
 
 
-func test_a_wrong_camera_is_told() -> void:
+func test_a_wrong_camera_is_reported() -> void:
 	contains(_scene.apply("mesh", "1,2"), "a camera is azimuth,elevation,distance")
 	equal(_scene.apply("mesh", "1,2,3"), "")
 	equal(_scene.describe_views(), "1 mesh on   2 static off   3 physics off")

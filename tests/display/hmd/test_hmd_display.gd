@@ -12,7 +12,7 @@ func goes_by_clock() -> bool:
 func before_each() -> void:
 	_told = []
 	_display = HmdDisplay.new()
-	_display.told.connect(_on_told)
+	_display.notified.connect(_on_notified)
 	add_child(_display)
 
 
@@ -57,5 +57,5 @@ func test_who_asks_is_told_what_the_runtime_answers() -> void:
 	equal(_told.size(), 1)
 
 
-func _on_told(p_text: String) -> void:
+func _on_notified(p_text: String) -> void:
 	_told.append(p_text)

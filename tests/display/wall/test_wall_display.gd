@@ -8,7 +8,7 @@ var _told: PackedStringArray = []
 func before_each() -> void:
 	_told.clear()
 	_display = WallDisplay.new()
-	_display.told.connect(_on_told)
+	_display.notified.connect(_on_notified)
 	var text: String = "[screen s]\nbottom-left = -1 0 -1\nbottom-right = 1 0 -1\n"
 	text += "top-left = -1 2 -1\nsize = 10 10\n"
 	_display.layout = LayoutReader.parse(text.to_utf8_buffer(), "s.cfg")
@@ -18,7 +18,7 @@ func after_each() -> void:
 	_display.free()
 
 
-func _on_told(p_text: String) -> void:
+func _on_notified(p_text: String) -> void:
 	_told.append(p_text)
 
 

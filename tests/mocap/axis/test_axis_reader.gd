@@ -86,7 +86,7 @@ func test_pieces_of_a_tcp_stream_are_put_together() -> void:
 		equal(count, 12, "text %s: %s" % [text, reader.fault])
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var reader: AxisReader = AxisReader.new()
 	var frame: PackedByteArray = AxisWriter.new().write(_clip().pose_at(0.0))[0]
 	var few: PackedByteArray = frame.duplicate()

@@ -12,7 +12,7 @@ func before_each() -> void:
 	_random.seed = 5
 
 
-func test_exact_and_careless_wearers_are_told_apart() -> void:
+func test_exact_and_careless_wearers_are_distinguished() -> void:
 	var before: float = 0.0
 	for off_deg: float in [0.3, 1.0, 2.0, 4.0, 6.0]:
 		var model: WearerModel = WearerModel.new()

@@ -68,7 +68,7 @@ func test_bones_that_lie_otherwise_at_rest_are_turned_back() -> void:
 		almost_equal(samples[0].pose.orientation(limb), turn, 1e-5)
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var reader: MocopiReader = MocopiReader.new()
 	var frame: PackedByteArray = MocopiWriter.new().write(_still())[1]
 	var cases: Dictionary[String, PackedByteArray] = {}

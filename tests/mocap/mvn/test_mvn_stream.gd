@@ -219,7 +219,7 @@ func test_trackers_become_sensors() -> void:
 		is_true(frames[0].accelerations[at].length() > 1.0)
 
 
-func test_a_port_in_use_is_told() -> void:
+func test_a_port_in_use_is_reported() -> void:
 	var other: MvnStream = MvnStream.new()
 	var fault: String = other.open(_stream.receiver.get_port())
 	contains(fault, str(_stream.receiver.get_port()))

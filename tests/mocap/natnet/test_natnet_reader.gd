@@ -111,7 +111,7 @@ func test_names_of_three_conventions() -> void:
 		equal(NatnetReader.joint_of(name), names[name], name)
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var clip: BvhSource = _clip()
 	for version: int in [300, 401]:
 		var writer: NatnetWriter = NatnetWriter.new(clip.get_body())

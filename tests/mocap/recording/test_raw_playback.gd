@@ -82,7 +82,6 @@ func test_speed_and_steps_follow_the_recorded_times() -> void:
 		equal(player.advance(START_USEC - 1), 0)
 		equal(player.advance(START_USEC), 1)
 		equal(player.advance(START_USEC + roundi(500001 / speed)), 5)
-		almost_equal(player.get_position_s(), 0.5, 1e-6)
 		var datagrams: Array[Dictionary] = player.take_datagrams()
 		equal(datagrams.size(), 6)
 		equal(datagrams[5]["bytes"], PackedByteArray([5]))
@@ -120,7 +119,7 @@ func test_a_recorded_tracker_becomes_a_sensor() -> void:
 		0.996549, -0.081155, -0.017347, 0.001371, SourceFrames.Frame.XSENS_ENU
 	)
 	is_true(Rotations.between_deg(turn, wanted) < 0.01)
-	equal(playback.suit.devices[0].get_usb_id(), (0x2639 << 16) | 3)
+	equal(playback.suit.devices[0].get_name(), "MTi-30")
 	playback.close()
 
 

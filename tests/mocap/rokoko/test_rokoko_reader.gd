@@ -56,7 +56,7 @@ func test_loss_and_duplicates_are_hardly_seen() -> void:
 	is_true(person.stats()["twice"] > 10)
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var reader: RokokoReader = RokokoReader.new()
 	var cases: Dictionary[String, String] = {
 		"no JSON": "{",

@@ -143,7 +143,7 @@ func test_a_tracker_that_comes_again_keeps_its_sensor() -> void:
 	equal(feed.list_sensors().size(), 1)
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var feed: SlimeFeed = SlimeFeed.new()
 	feed.take("hello".to_ascii_buffer(), SENDER, BEGIN)
 	contains(feed.trouble(), "no SlimeVR packet")

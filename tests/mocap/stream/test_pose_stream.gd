@@ -55,7 +55,7 @@ func test_somebody_comes_over_a_socket_and_goes() -> void:
 	contains(_stream.describe(), "not open")
 
 
-func test_a_port_in_use_is_told() -> void:
+func test_a_port_in_use_is_reported() -> void:
 	var other: PoseStream = PoseStream.new(VmcReader.new())
 	var fault: String = other.open(_stream.port.get_port())
 	contains(fault, "in use")

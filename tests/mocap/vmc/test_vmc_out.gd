@@ -46,7 +46,7 @@ func test_two_people_go_to_two_ports() -> void:
 	second.close()
 
 
-func test_an_address_that_is_none_is_told() -> void:
+func test_an_address_that_is_none_is_reported() -> void:
 	for text: String in ["", "host:", "1.2.3.4:99999", "a:1:2", "127.0.0.1:x"]:
 		contains(VmcOut.new().open(text), "--vmc-out")
 	var out: VmcOut = VmcOut.new()

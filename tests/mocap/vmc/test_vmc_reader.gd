@@ -193,7 +193,7 @@ func test_a_sender_that_begins_anew_is_followed() -> void:
 	is_true(count > 395, "%d of 400" % count)
 
 
-func test_a_sender_without_a_model_is_told() -> void:
+func test_a_sender_without_a_model_is_reported() -> void:
 	var reader: VmcReader = VmcReader.new()
 	reader.read(Osc.message("/VMC/Ext/OK", [0]), SENDER)
 	contains(reader.trouble(SENDER), "model")

@@ -88,7 +88,7 @@ func test_what_is_not_seen_is_filled() -> void:
 	contains(reader.fault, "not seen")
 
 
-func test_what_is_none_is_told() -> void:
+func test_what_is_none_is_reported() -> void:
 	var reader: WebcamReader = WebcamReader.new()
 	var cases: Dictionary[String, String] = {
 		"0 landmarks": "{}",

@@ -34,7 +34,7 @@ func test_a_full_server_gives_away_the_room_of_a_lost_client_only() -> void:
 	equal(_pair.server.session_ids().size(), 2)
 
 
-func test_two_of_one_name_are_told_apart() -> void:
+func test_two_of_one_name_are_distinguished() -> void:
 	_pair.listen()
 	for name: String in ["Ada", "ada", "Ada", "Ada (2)"]:
 		_pair.join(TRAINEE, name)

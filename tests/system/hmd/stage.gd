@@ -19,7 +19,7 @@ func _ready() -> void:
 		box.position = Vector3(-4.0 + 2.0 * i, 0.5, -3.0 - i)
 		add_child(box)
 	_display.camera = _camera
-	_display.told.connect(func(text: String) -> void: print("TOLD ", text))
+	_display.notified.connect(func(text: String) -> void: print("TOLD ", text))
 	_display.pressed.connect(func(a: StringName, h: int) -> void: print("PRESSED ", a, " ", h))
 	var mirror: String = OS.get_environment("MIRROR")
 	_display.set_mirror(int(mirror) as HmdDisplay.Mirror)

@@ -11,7 +11,7 @@ func after_each() -> void:
 		_door = null
 
 
-func test_it_stands_as_far_open_as_it_is_told() -> void:
+func test_it_stands_as_far_open_as_it_is_reported() -> void:
 	for right: bool in [false, true]:
 		for ajar: float in [-60.0, 0.0, 45.0]:
 			_door = Door.new()

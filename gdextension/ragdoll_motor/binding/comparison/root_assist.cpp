@@ -14,34 +14,21 @@ constexpr float PENDULUM_MASS = 0.5f; // Of the body's own.
 
 } // namespace
 
-bool RootAssist::is_in(ragdoll::RootMode p_mode) const {
-	return _mode == (ragdoll::is_free(p_mode) ? p_mode : ragdoll::RootMode::SOFT);
-}
-
-void RootAssist::free() {
-	if (_joint.is_valid()) {
-		server()->free_rid(_joint);
-		_joint = RID();
-	}
-	if (_pendulum.is_valid()) {
-		server()->free_rid(_pendulum);
-		_pendulum = RID();
-	}
-	_mode = ragdoll::RootMode::SOFT;
-}
-
-void RootAssist::set_mode(ragdoll::RootMode p_mode, const Parts &p_parts) {
-	if (is_in(p_mode)) {
-		return;
-	}
-	free();
+RootAssist::RootAssist(ragdoll::RootMode p_mode, const Parts &p_parts) : _mode(p_mode) {
 	if (p_mode == ragdoll::RootMode::PENDULUM && p_parts.state != nullptr) {
 		make_pendulum(p_parts);
 	} else if (p_mode == ragdoll::RootMode::SELF_RIGHTING && p_parts.trunk.body.is_valid()) {
 		make_trunk_joint(p_parts);
 	}
-	_mode = ragdoll::is_free(p_mode) ? p_mode : ragdoll::RootMode::SOFT;
-	_torque = -1.0f;
+}
+
+RootAssist::~RootAssist() {
+	if (_joint.is_valid()) {
+		server()->free_rid(_joint);
+	}
+	if (_pendulum.is_valid()) {
+		server()->free_rid(_pendulum);
+	}
 }
 
 void RootAssist::make_pendulum(const Parts &p_parts) {
@@ -80,12 +67,10 @@ void RootAssist::make_trunk_joint(const Parts &p_parts) {
 	}
 }
 
-void RootAssist::drive(
-		const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn) {
+void RootAssist::drive(const ragdoll::RootCommand &p_command) {
 	if (_joint.is_valid()) {
-		const ragdoll::Vec3 &turn = _mode == ragdoll::RootMode::PENDULUM ? p_turn : p_trunk_turn;
 		set_motor_torque(_joint, p_command.assist_torque, _torque);
-		set_motor_velocity(_joint, _axes.inverse().rotate(turn));
+		set_motor_velocity(_joint, _axes.inverse().rotate(p_command.assist_turn));
 	}
 }
 

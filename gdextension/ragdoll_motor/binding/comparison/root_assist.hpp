@@ -11,7 +11,7 @@ namespace godot {
 
 /// What keeps a body upright in the two root modes that are here for comparison only (see
 /// src/comparison/comparison.hpp): the weight of PENDULUM (thesis 8.4.3) and the trunk's joint to the world of
-/// SELF_RIGHTING (thesis 8.4.4). In other modes it is nothing.
+/// SELF_RIGHTING (thesis 8.4.4).
 class RootAssist {
 public:
 	/// A limb's body, and where its joint is on it.
@@ -30,25 +30,21 @@ public:
 		const ragdoll::RigState *state = nullptr; ///< Null where it is not known: PENDULUM has no weight then.
 	};
 
-	RootAssist() = default;
-	~RootAssist() { free(); }
+	/// Makes what a mode needs.
+	RootAssist(ragdoll::RootMode p_mode, const Parts &p_parts);
+	~RootAssist();
 	RootAssist(const RootAssist &) = delete;
 	RootAssist &operator=(const RootAssist &) = delete;
 
-	/// Whether set_mode() would change nothing.
-	bool is_in(ragdoll::RootMode p_mode) const;
-	/// Makes what a mode needs, and frees what the last one needed.
-	void set_mode(ragdoll::RootMode p_mode, const Parts &p_parts);
+	ragdoll::RootMode get_mode() const { return _mode; }
 	/// Drives what there is in a step.
-	/// @param p_turn, p_trunk_turn turning rates of the root and of the trunk, limbs' axes, rad/s
-	void drive(const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn, const ragdoll::Vec3 &p_trunk_turn);
-	void free();
+	void drive(const ragdoll::RootCommand &p_command);
 
 private:
 	void make_pendulum(const Parts &p_parts);
 	void make_trunk_joint(const Parts &p_parts);
 
-	ragdoll::RootMode _mode = ragdoll::RootMode::SOFT; // SOFT stands for all that need nothing.
+	ragdoll::RootMode _mode;
 	RID _pendulum;
 	RID _joint;
 	ragdoll::Quat _axes; // Of the joint, in its limb's frame.

@@ -6,9 +6,8 @@
 
 namespace ragdoll {
 
-RootTravel::RootTravel(
-		const Rig &p_rig, const std::vector<ContactPoint> &p_contacts, std::vector<ModeTravel> p_estimators) :
-		_estimators(std::move(p_estimators)),
+RootTravel::RootTravel(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts, TravelMaker p_make) :
+		_make(p_make),
 		_contacts(p_contacts),
 		_foot_lock(p_rig, p_contacts),
 		_points_now(p_contacts.size()),
@@ -25,8 +24,20 @@ Travel *RootTravel::find(RootMode p_mode) const {
 	return nullptr;
 }
 
+Travel *RootTravel::make(RootMode p_mode) {
+	std::unique_ptr<Travel> estimator = _make(p_mode, _contacts);
+	if (!estimator) {
+		return nullptr;
+	}
+	_estimators.push_back({ p_mode, std::move(estimator) });
+	return _estimators.back().estimator.get();
+}
+
 void RootTravel::advance(const Rig &p_rig, const RootTravelInput &p_input, Pose &r_now, Pose &r_next) {
 	Travel *estimator = find(p_input.mode);
+	if (!estimator && finds_travel(p_input.mode)) {
+		estimator = make(p_input.mode);
+	}
 	const bool goes_on = _mode == p_input.mode;
 	const Vec3 expected = _target;
 	_mode = p_input.mode;
@@ -138,7 +149,9 @@ void RootTravel::find_shown(const Rig &p_rig, const RigState &p_state) {
 void RootTravel::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_mode);
 	p_archive.put(_target);
+	p_archive.put(std::uint32_t(_estimators.size()));
 	for (const ModeTravel &mode : _estimators) {
+		p_archive.put(mode.mode);
 		mode.estimator->save(p_archive);
 	}
 	_foot_lock.save(p_archive);
@@ -146,11 +159,18 @@ void RootTravel::save(ArchiveWriter &p_archive) const {
 }
 
 bool RootTravel::restore(ArchiveReader &p_archive) {
-	if (!p_archive.get(_mode) || !p_archive.get(_target)) {
+	std::uint32_t count = 0;
+	if (!p_archive.get(_mode) || !p_archive.get(_target) || !p_archive.get(count)) {
 		return false;
 	}
-	for (const ModeTravel &mode : _estimators) {
-		if (!mode.estimator->restore(p_archive)) {
+	_estimators.clear();
+	for (std::uint32_t i = 0; i < count; i++) {
+		RootMode mode = RootMode::SOFT;
+		if (!p_archive.get(mode) || find(mode)) {
+			return false;
+		}
+		Travel *estimator = make(mode);
+		if (!estimator || !estimator->restore(p_archive)) {
 			return false;
 		}
 	}

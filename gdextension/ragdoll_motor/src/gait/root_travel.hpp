@@ -13,11 +13,8 @@
 
 namespace ragdoll {
 
-/// The estimator of a root mode.
-struct ModeTravel {
-	RootMode mode = RootMode::INERTIAL;
-	std::unique_ptr<Travel> estimator;
-};
+/// Makes the estimator of a root mode; null where the mode has none.
+using TravelMaker = std::unique_ptr<Travel> (*)(RootMode p_mode, const std::vector<ContactPoint> &p_contacts);
 
 /// What RootTravel gets for a step.
 struct RootTravelInput {
@@ -42,12 +39,13 @@ public:
 	static constexpr float FURTHEST_UP = 0.2f;
 	static constexpr float FURTHEST_ACROSS = 0.12f;
 
-	RootTravel(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts, std::vector<ModeTravel> p_estimators);
+	/// @param p_make makes a mode's estimator when the mode is chosen for the first time
+	RootTravel(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts, TravelMaker p_make);
 
 	/// Begins a step: moves the motion's root at its beginning and end to where it is found, and bends its legs.
 	/// Modes without an estimator leave the motion as it is.
 	void advance(const Rig &p_rig, const RootTravelInput &p_input, Pose &r_now, Pose &r_next);
-	/// The estimator of a mode, or null where the mode has none.
+	/// The estimator of a mode, or null where the mode has none or has not been stepped yet.
 	Travel *find(RootMode p_mode) const;
 	/// The mode of the last step.
 	RootMode get_mode() const { return _mode; }
@@ -58,6 +56,13 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	struct ModeTravel {
+		RootMode mode = RootMode::INERTIAL;
+		std::unique_ptr<Travel> estimator;
+	};
+
+	/// Makes the estimator of a mode; null where the mode has none.
+	Travel *make(RootMode p_mode);
 	/// Brings the estimate to where the body is held back or pushed to.
 	/// @param p_off how far the body is from where it should be, m
 	void give_in(Travel &r_estimator, const Vec3 &p_off);
@@ -72,7 +77,8 @@ private:
 	void find_points(const Rig &p_rig, const Pose &p_pose, std::vector<Vec3> &r_points);
 	void find_shown(const Rig &p_rig, const RigState &p_state);
 
-	std::vector<ModeTravel> _estimators;
+	TravelMaker _make = nullptr;
+	std::vector<ModeTravel> _estimators; // Of modes that have been chosen.
 	std::vector<ContactPoint> _contacts;
 	FootLock _foot_lock;
 	PathFilter _path;

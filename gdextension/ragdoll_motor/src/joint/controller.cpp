@@ -2,7 +2,6 @@
 #include "joint/controller.hpp"
 
 #include <algorithm>
-#include <utility>
 
 namespace ragdoll {
 
@@ -10,8 +9,8 @@ float braking_speed(float p_error, float p_deceleration) {
 	return std::sqrt(std::max(2.0f * p_deceleration * p_error, 0.0f));
 }
 
-Controller::Controller(const Rig &p_rig, std::unique_ptr<JointDrive> p_others) :
-		_rig(&p_rig), _muscles(p_rig.size()), _turned(p_rig.size()), _others(std::move(p_others)) {}
+Controller::Controller(const Rig &p_rig, JointDriveMaker p_make_others) :
+		_rig(&p_rig), _muscles(p_rig.size()), _turned(p_rig.size()), _make_others(p_make_others) {}
 
 void Controller::reset() {
 	if (_others) {
@@ -30,19 +29,29 @@ void Controller::compute(const RigState &p_actual, const Pose &p_now, const Pose
 		command.max_torque = (*_rig)[i].max_torque * p_table.get_strength(i);
 		command.whole_torque = command.max_torque;
 		JointState joint = find_joint(i, p_actual, p_now, p_next, p_delta_s);
-		const bool is_root = (*_rig)[i].parent < 0;
-		const bool is_at_rest = command.mode == Actuation::DIRECT_SET || command.mode == Actuation::LIMP;
-		const bool is_known = command.mode == Actuation::VELOCITY_MOTOR || is_at_rest;
-		// The root's joint leads to the world and always has a motor.
-		const bool is_root_motor = !is_known && is_root && _others && !_others->drives_root(command.mode);
-		if (command.mode == Actuation::VELOCITY_MOTOR || is_root_motor) {
+		if (command.mode == Actuation::VELOCITY_MOTOR) {
 			command_velocity(i, joint, p_delta_s, command);
-		} else if (is_at_rest || !_others) {
+		} else if (command.mode == Actuation::DIRECT_SET || command.mode == Actuation::LIMP) {
 			command.velocity = {};
 		} else {
-			joint.spring = p_table.get_spring(i);
-			_others->command(i, joint, settings, p_delta_s, command);
+			command_other(i, joint, p_table, p_delta_s, command);
 		}
+	}
+}
+
+void Controller::command_other(std::size_t p_limb, JointState &r_joint, const ActuationTable &p_table, float p_delta_s,
+		LimbCommand &r_command) {
+	if (!_others && _make_others) {
+		_others = _make_others(*_rig);
+	}
+	if (!_others) {
+		r_command.velocity = {};
+	} else if ((*_rig)[p_limb].parent < 0 && !_others->drives_root(r_command.mode)) {
+		// The root's joint leads to the world and always has a motor.
+		command_velocity(p_limb, r_joint, p_delta_s, r_command);
+	} else {
+		r_joint.spring = p_table.get_spring(p_limb);
+		_others->command(p_limb, r_joint, settings, p_delta_s, r_command);
 	}
 }
 
@@ -98,13 +107,19 @@ void Controller::command_velocity(
 
 void Controller::save(ArchiveWriter &p_archive) const {
 	_muscles.save(p_archive);
+	p_archive.put(_others != nullptr);
 	if (_others) {
 		_others->save(p_archive);
 	}
 }
 
 bool Controller::restore(ArchiveReader &p_archive) {
-	return _muscles.restore(p_archive) && (!_others || _others->restore(p_archive));
+	bool has_others = false;
+	if (!_muscles.restore(p_archive) || !p_archive.get(has_others) || (has_others && !_make_others)) {
+		return false;
+	}
+	_others = has_others ? _make_others(*_rig) : nullptr;
+	return !_others || _others->restore(p_archive);
 }
 
 void place_limbs(const Rig &p_rig, const RigState &p_actual, const Pose &p_next, float p_delta_s,

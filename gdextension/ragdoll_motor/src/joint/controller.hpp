@@ -19,8 +19,9 @@ namespace ragdoll {
 class Controller {
 public:
 	/// Keeps a reference: the rig must live as long.
-	/// @param p_others drives the joints in all modes but VELOCITY_MOTOR, DIRECT_SET and LIMP; null: these hang limp
-	explicit Controller(const Rig &p_rig, std::unique_ptr<JointDrive> p_others = nullptr);
+	/// @param p_make_others makes what drives joints in all modes but VELOCITY_MOTOR, DIRECT_SET and LIMP, when a
+	/// limb is in one of them for the first time; null: they hang limp
+	explicit Controller(const Rig &p_rig, JointDriveMaker p_make_others = nullptr);
 
 	ControlSettings settings;
 
@@ -38,11 +39,15 @@ private:
 	JointState find_joint(
 			std::size_t p_limb, const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s) const;
 	void command_velocity(std::size_t p_limb, const JointState &p_joint, float p_delta_s, LimbCommand &r_command);
+	/// Drives a joint in a mode that is not known here.
+	void command_other(std::size_t p_limb, JointState &r_joint, const ActuationTable &p_table, float p_delta_s,
+			LimbCommand &r_command);
 
 	const Rig *_rig = nullptr;
 	Muscles _muscles;
 	CompositeInertia _turned; // In the present pose.
-	std::unique_ptr<JointDrive> _others; // The modes that are not known here; may be null.
+	JointDriveMaker _make_others = nullptr;
+	std::unique_ptr<JointDrive> _others; // The modes that are not known here; null until one is chosen.
 };
 
 /// The most a correction may go at (rad/s or m/s), so that the motor can still brake it: the speed from

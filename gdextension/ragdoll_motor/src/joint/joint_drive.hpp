@@ -6,8 +6,11 @@
 #include "joint/actuation.hpp"
 
 #include <cstddef>
+#include <memory>
 
 namespace ragdoll {
+
+class Rig;
 
 /// What the joint of one limb gets for a step.
 struct LimbCommand {
@@ -74,5 +77,8 @@ public:
 	virtual void save(ArchiveWriter &p_archive) const = 0;
 	virtual bool restore(ArchiveReader &p_archive) = 0;
 };
+
+/// Makes one for a ragdoll; the rig must live as long.
+using JointDriveMaker = std::unique_ptr<JointDrive> (*)(const Rig &p_rig);
 
 } // namespace ragdoll

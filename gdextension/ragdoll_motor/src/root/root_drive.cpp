@@ -10,9 +10,8 @@ namespace ragdoll {
 RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const RigState &p_actual,
 		const Vec3 &p_now, const Vec3 &p_next, float p_delta_s, float p_strength) {
 	RootCommand command;
-	command.torque = p_mode == RootMode::PENDULUM ? 0.0f : p_settings.torque * p_strength;
-	command.assist_torque = p_settings.torque * p_strength;
-	if (is_free(p_mode) || p_mode == RootMode::GROUNDED) {
+	command.torque = p_settings.torque * p_strength;
+	if (p_mode == RootMode::GROUNDED) {
 		return command;
 	}
 	command.force_up = p_settings.force * p_strength;

@@ -42,7 +42,8 @@ struct RootCommand {
 	float force_across = 0.0f; ///< Greatest horizontal force an axis, N.
 	float force_up = 0.0f; ///< Greatest vertical force, N.
 	float torque = 0.0f; ///< Greatest torque an axis, N m.
-	float assist_torque = 0.0f; ///< Of the pendulum's or the trunk's joint, N m.
+	float assist_torque = 0.0f; ///< Of the joint that keeps a free root upright (is_free()), N m.
+	Vec3 assist_turn; ///< The turning rate of that joint, its limb's axes, rad/s.
 	Vec3 push; ///< A force on the root's body besides, world axes, N.
 };
 
@@ -56,7 +57,7 @@ struct RootSettings {
 };
 
 /// The root's command for a step: feed-forward with the motion's velocity plus a correction, which is
-/// never faster than the limits can brake: level and upright each by their own.
+/// never faster than the limits can brake: level and upright each by their own. Not for modes that are free.
 /// @param p_strength multiplies the limits
 RootCommand drive_root(RootMode p_mode, const RootSettings &p_settings, const Rig &p_rig, const RigState &p_actual,
 		const Vec3 &p_now, const Vec3 &p_next, float p_delta_s, float p_strength);

@@ -19,42 +19,15 @@ constexpr int64_t PAUSE_USEC = 35000;
 /// The same once the server has answered: it chooses by chance among many, so that more tries get in
 /// sooner.
 constexpr int64_t SHORT_PAUSE_USEC = 20000;
-/// A step that takes longer begins anew from the first one: a cookie may have run out, a server may
-/// have begun anew, us.
-constexpr int64_t MAX_STEP_USEC = 2000000;
 /// How long to wait where the server says "later", us; about, so that not all come at once.
 constexpr uint32_t LATER_USEC = 300000;
-/// A handshake that is put off again and again begins anew: its cookie runs out, us.
-constexpr int64_t MAX_HANDSHAKE_USEC = 8000000;
 /// Cookies and replies that are tried in one handshake: all but one are forged.
 constexpr size_t MAX_EXCHANGES = 4;
 constexpr size_t MAX_CANDIDATES = 8;
-/// Who has a password answers so many replies, at once and each second: whoever sent one learns from the
-/// answer whether he has guessed it.
-constexpr double ANSWER_BURST = 6.0;
-constexpr double ANSWERS_PER_S = 0.5;
 /// How long a cookie is tried before the next one, where several have come, us.
 constexpr int64_t TURN_USEC = 250000;
 /// START is sent again beside the proof so seldom: the reply that has come may be forged, us.
 constexpr int64_t AGAIN_USEC = 200000;
-/// Who is told why the handshake comes to nothing tries on for so long, twice as long each time: a
-/// server that is there needs one round trip to prove the contrary, us.
-constexpr int64_t HINT_USEC = 500000;
-/// Handshakes that end so before it is believed.
-constexpr int MAX_HINTED = 3;
-/// Without sealing: for how long nothing else but notices comes, us.
-constexpr int64_t UNSEALED_USEC = 2000000;
-/// How often a client says at most that it has moved, us: anybody can make it say so.
-constexpr int64_t MOVED_USEC = 10000;
-/// Whoever hears his server has not moved: so long must it be silent, us. It says something 60 times a
-/// second.
-constexpr int64_t DEAF_USEC = 50000;
-/// After so much silence a client sends something, so that a server that does not know its address says
-/// so: much of what it sends otherwise are answers. Each pause is twice the one before, us.
-constexpr int64_t ASK_USEC = 120000;
-constexpr int MAX_ASKS = 6;
-/// Handshakes after which another key is believed: the user is asked.
-constexpr int MAX_OTHER_KEYS = 2;
 
 } // namespace
 
@@ -83,7 +56,7 @@ void ClientRelay::take_outer(const View &p_bytes, int64_t p_now_usec) {
 		return;
 	}
 	if (!_settings.seals) {
-		_is_hinted = false;
+		_patience.forget_hint();
 		_heard_usec = p_now_usec;
 		if (p_bytes.data[0] == messages::OPEN_FAST) {
 			_bytes.assign(p_bytes.data + 1, p_bytes.data + p_bytes.size);
@@ -144,10 +117,16 @@ int64_t ClientRelay::look_after(int64_t p_now_usec) {
 			return INT64_MAX;
 		}
 		_carriage.look_after(p_now_usec, _send_content);
-		return std::min(_carriage.mtu().due_usec(), break_silence(p_now_usec));
+		if (!_settings.seals) {
+			return _carriage.mtu().due_usec();
+		}
+		if (_address.must_ask(_heard_usec, p_now_usec)) {
+			send_content(Content::FAST, View());
+		}
+		return std::min(_carriage.mtu().due_usec(), _address.due_usec(_heard_usec));
 	}
-	if (_begun_usec == 0 || is_over(p_now_usec)) {
-		if (is_hopeless()) {
+	if (!_patience.has_begun() || _patience.is_over(p_now_usec)) {
+		if (_patience.is_hopeless(_notice == OTHER_KEY, _settings.return_tag != messages::ReturnTag{})) {
 			_state = State::FAILED;
 			return INT64_MAX;
 		}
@@ -165,53 +144,20 @@ int64_t ClientRelay::look_after(int64_t p_now_usec) {
 	return _due_usec;
 }
 
-/// Returns when it must be called again, us.
-int64_t ClientRelay::break_silence(int64_t p_now_usec) {
-	if (!_settings.seals) {
-		return INT64_MAX;
-	}
-	if (p_now_usec - _heard_usec < ASK_USEC) {
-		_asks = 0;
-	} else if (_asks < MAX_ASKS && p_now_usec >= _heard_usec + (ASK_USEC << _asks)) {
-		_asks++;
-		send_content(Content::FAST, View());
-	}
-	return _asks < MAX_ASKS ? _heard_usec + (ASK_USEC << _asks) : INT64_MAX;
-}
-
-/// Whether this handshake has come to nothing.
-bool ClientRelay::is_over(int64_t p_now_usec) const {
-	const int64_t patience = _is_hinted ? HINT_USEC << std::min(_hinted, MAX_HINTED - 1) : MAX_STEP_USEC;
-	const int64_t since = _is_hinted ? _hinted_usec : _step_usec;
-	return p_now_usec - since > patience || p_now_usec - _begun_usec > MAX_HANDSHAKE_USEC;
-}
-
-/// Whether enough handshakes in a row have been told why they come to nothing. Who was in a session
-/// goes on: its server is there, or comes back.
-bool ClientRelay::is_hopeless() {
-	_hinted = _is_hinted ? _hinted + 1 : 0;
-	if (_notice == OTHER_KEY) {
-		// Whoever has it has proved it.
-		return _hinted >= MAX_OTHER_KEYS;
-	}
-	return _hinted >= MAX_HINTED && _settings.return_tag == messages::ReturnTag{};
-}
-
 void ClientRelay::restart(int64_t p_now_usec) {
 	randombytes_buf(_client.data(), _client.size());
 	_exchanges.clear();
 	_candidates.clear();
 	_current = 0;
 	_state = State::OPENING;
-	_is_hinted = false;
-	_begun_usec = p_now_usec;
+	_patience.begin(p_now_usec);
 	_started_usec = 0;
 	go_on(Step::WANTS_COOKIE, p_now_usec);
 }
 
 void ClientRelay::go_on(Step p_step, int64_t p_now_usec) {
 	_step = p_step;
-	_step_usec = p_now_usec;
+	_patience.begin_step(p_now_usec);
 	_turn_usec = p_now_usec;
 	_due_usec = p_now_usec;
 }
@@ -277,7 +223,8 @@ void ClientRelay::take_reply(const View &p_bytes, int64_t p_now_usec) {
 		return;
 	}
 	const auto has_share = [&reply](const Candidate &p_candidate) { return p_candidate.share == reply.share; };
-	if (std::any_of(_candidates.begin(), _candidates.end(), has_share) || !may_answer(p_now_usec)) {
+	if (std::any_of(_candidates.begin(), _candidates.end(), has_share) ||
+			(!_settings.password.empty() && !_answers.take(p_now_usec))) {
 		return;
 	}
 	Exchange &current = _exchanges[_current];
@@ -308,21 +255,6 @@ void ClientRelay::take_reply(const View &p_bytes, int64_t p_now_usec) {
 	} else {
 		seal_first(_candidates.back(), View());
 	}
-}
-
-bool ClientRelay::may_answer(int64_t p_now_usec) {
-	if (_settings.password.empty()) {
-		return true;
-	}
-	const bool is_first = _answered_usec == INT64_MIN;
-	const double since_s = is_first ? 0.0 : double(p_now_usec - _answered_usec) / 1e6;
-	_answers = is_first ? ANSWER_BURST : std::min(_answers + since_s * ANSWERS_PER_S, ANSWER_BURST);
-	_answered_usec = p_now_usec;
-	if (_answers < 1.0) {
-		return false;
-	}
-	_answers -= 1.0;
-	return true;
 }
 
 void ClientRelay::take_sealed(const View &p_bytes, int64_t p_now_usec) {
@@ -380,12 +312,9 @@ void ClientRelay::take_content(Content p_content, size_t p_size, int64_t p_now_u
 /// one than before. Where somebody else says so, nothing comes of it.
 void ClientRelay::take_unknown(const View &p_bytes, int64_t p_now_usec) {
 	messages::UnknownMessage unknown;
-	if (_step != Step::DONE || !unknown.decode(p_bytes) || p_now_usec - _moved_usec < MOVED_USEC ||
-			p_now_usec - _heard_usec < DEAF_USEC ||
-			std::find(_echoes.begin(), _echoes.end(), unknown.echo) == _echoes.end()) {
+	if (_step != Step::DONE || !unknown.decode(p_bytes) || !_address.has_moved(unknown, _heard_usec, p_now_usec)) {
 		return;
 	}
-	_moved_usec = p_now_usec;
 	_channel.seal(messages::moved_head(_client, unknown.cookie), View(), _sealed);
 	_to_outer(_sealed);
 }
@@ -403,7 +332,7 @@ void ClientRelay::take_notice(const View &p_bytes, int64_t p_now_usec) {
 	} else {
 		_notice = int(Notice::LATER);
 		if (_step == Step::WANTS_REPLY) {
-			_step_usec = p_now_usec;
+			_patience.begin_step(p_now_usec);
 			// From the last START on: many notices put it off no longer than one does.
 			_due_usec = std::max(_due_usec, _started_usec + LATER_USEC / 2 + randombytes_uniform(LATER_USEC));
 			_due_usec = std::min(_due_usec, _started_usec + LATER_USEC * 3 / 2);
@@ -414,11 +343,8 @@ void ClientRelay::take_notice(const View &p_bytes, int64_t p_now_usec) {
 /// Why the handshake comes to nothing, as somebody says.
 void ClientRelay::hint(int p_what, int64_t p_now_usec) {
 	_notice = p_what;
-	if (!_is_hinted) {
-		_is_hinted = true;
-		_hinted_usec = p_now_usec;
-	} else if (!_settings.seals && p_now_usec - _hinted_usec > UNSEALED_USEC) {
-		// ENet went on asking, and a server that takes the connection answers something else.
+	_patience.hint(p_now_usec);
+	if (!_settings.seals && _patience.is_refused(p_now_usec)) {
 		_state = State::FAILED;
 	}
 }
@@ -426,8 +352,7 @@ void ClientRelay::hint(int p_what, int64_t p_now_usec) {
 void ClientRelay::send_content(Content p_content, const View &p_bytes) {
 	if (_settings.seals) {
 		_channel.seal(p_content, p_bytes, _sealed);
-		_echoes[_next_echo] = messages::echo_of(_sealed);
-		_next_echo = (_next_echo + 1) % _echoes.size();
+		_address.note_sent(_sealed);
 	} else if (p_content == Content::FAST) {
 		_sealed = { messages::OPEN_FAST };
 		append(_sealed, p_bytes);

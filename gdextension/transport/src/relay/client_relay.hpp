@@ -3,7 +3,10 @@
 
 #include "../sealing/messages.hpp"
 #include "../sealing/server_identity.hpp"
+#include "address_watch.hpp"
+#include "answer_budget.hpp"
 #include "carriage.hpp"
+#include "handshake_patience.hpp"
 
 #include <functional>
 #include <vector>
@@ -109,10 +112,6 @@ private:
 	void take_unknown(const View &p_bytes, int64_t p_now_usec);
 	void take_notice(const View &p_bytes, int64_t p_now_usec);
 	void hint(int p_what, int64_t p_now_usec);
-	bool is_hopeless();
-	int64_t break_silence(int64_t p_now_usec);
-	bool may_answer(int64_t p_now_usec);
-	bool is_over(int64_t p_now_usec) const;
 	void send_content(Content p_content, const View &p_bytes);
 	void seal_first(Candidate &r_candidate, const View &p_bytes);
 
@@ -135,26 +134,15 @@ private:
 	messages::ClientId _chosen{};
 	int _notice = 0;
 	uint32_t _server_version = 0;
-	/// Whether this handshake has been told why it comes to nothing, and how many before it.
-	bool _is_hinted = false;
-	int _hinted = 0;
+	HandshakePatience _patience;
+	/// With a password: replies that may be answered.
+	AnswerBudget _answers;
+	AddressWatch _address;
 	uint64_t _not_opened = 0;
-	int64_t _begun_usec = 0;
-	int64_t _step_usec = 0;
 	int64_t _turn_usec = 0;
 	int64_t _started_usec = 0;
 	int64_t _due_usec = 0;
-	int64_t _hinted_usec = 0;
 	int64_t _heard_usec = 0;
-	/// The ends of what was sent last: somebody who has not seen it says nothing about it.
-	std::array<messages::Echo, 64> _echoes{};
-	size_t _next_echo = 0;
-	int64_t _moved_usec = 0;
-	/// Times that silence was broken since.
-	int _asks = 0;
-	/// Replies that may be answered now.
-	double _answers = 0.0;
-	int64_t _answered_usec = INT64_MIN;
 	/// What ENet has sent last before the channel was open.
 	Bytes _last_inner;
 	Bytes _bytes;

@@ -17,6 +17,20 @@ constexpr uint32_t HEARD_S = 2;
 
 } // namespace
 
+Baseline Delivery::find_baseline(uint32_t p_tick, bool p_has_before) const {
+	Baseline base;
+	if (acked == NEVER || p_tick - acked > uint32_t(MAX_AGE) || acked >= p_tick) {
+		return base;
+	}
+	base.age = int(p_tick - acked);
+	if (p_has_before && before != NEVER) {
+		const uint32_t spacing = acked - before;
+		const bool fits = spacing <= uint32_t(Baseline::MAX_SPACING) && base.age + int(spacing) <= MAX_AGE;
+		base.spacing = fits ? int(spacing) : 0;
+	}
+	return base;
+}
+
 void Delivery::arrived(uint32_t p_tick) {
 	if (acked == NEVER || p_tick > acked) {
 		before = acked;

@@ -20,6 +20,9 @@ struct Delivery {
 
 	/// Notes that a state has arrived.
 	void arrived(uint32_t p_tick);
+	/// What the state of a tick can be coded against.
+	/// @param p_has_before whether against the state before, too
+	Baseline find_baseline(uint32_t p_tick, bool p_has_before) const;
 };
 
 /// What a client is known to have of an entity's fields.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "replication/snapshot_encoder.hpp"
 
-#include "replication/entry_coding.hpp"
-
 #include <algorithm>
 #include <cstring>
 
@@ -23,8 +21,10 @@ constexpr uint32_t SILENCES_PER_SECOND = 2;
 } // namespace
 
 SnapshotEncoder::SnapshotEncoder(const Skeleton &p_skeleton, double p_max_error_deg, int p_tick_rate) :
-		_codec(p_skeleton, PersonLattice::resolution_for(p_max_error_deg)),
-		_history(p_skeleton, PersonLattice(PersonLattice::resolution_for(p_max_error_deg)), p_tick_rate) {}
+		_history(p_skeleton, PersonLattice(PersonLattice::resolution_for(p_max_error_deg)), p_tick_rate),
+		_people(_history, _visibility, p_skeleton, PersonLattice::resolution_for(p_max_error_deg)),
+		_bodies(_history, _visibility),
+		_fields(_history, _visibility) {}
 
 void SnapshotEncoder::add_client(int p_client, int p_snapshots_per_second, double p_bits_per_second) {
 	const int rate =
@@ -182,20 +182,19 @@ bool SnapshotEncoder::_is_due(const ClientRecord &p_client) const {
 
 // Writes the most urgent of what waits; false if nothing of it has room.
 bool SnapshotEncoder::_write_datagram(ClientRecord &p_client, Datagram &r_out, std::size_t p_room, int64_t p_now_usec) {
-	Draft draft{ r_out, p_client.begin_datagram(_history.tick()), _usual_baseline(p_client), p_room };
+	Draft draft{ r_out, p_client.begin_datagram(_history.tick()), _people.find_usual(p_client), p_room };
 	_write_header(p_client, draft, p_now_usec);
 	const double share = double(p_room) * THINGS_SHARE;
-	const double fields = std::min(double(_bytes_per_fields) * double(_fields_waiting.size()), share / 2.0);
-	const double bodies = double(_bytes_per_body) * double(_bodies_waiting.size());
-	_write_people(p_client, draft, p_room - std::size_t(std::min(bodies + fields, share)));
+	const double fields = std::min(_fields.expected_bytes(), share / 2.0);
+	const double bodies = _bodies.expected_bytes();
+	_people.write(p_client, draft, p_room - std::size_t(std::min(bodies + fields, share)));
 	// A person who does not fit is saved up for: bodies would always leave too little.
-	if (draft.entry.people_count > 0 || _people_waiting.empty()) {
-		_write_bodies(p_client, draft, p_room - std::size_t(fields));
-		_write_fields(p_client, draft);
+	if (draft.entry.people_count > 0 || !_people.is_waiting()) {
+		_bodies.write(p_client, draft, p_room - std::size_t(fields));
+		_fields.write(p_client, draft);
 	}
 	const bool is_empty = draft.entry.people_count == 0 && (draft.flags & ~HAS_MARK) == 0;
-	const bool is_waiting = !_people_waiting.empty() || !_bodies_waiting.empty() || !_fields_waiting.empty();
-	if (is_empty && is_waiting) {
+	if (is_empty && _is_waiting()) {
 		p_client.cancel_datagram(); // It saves up for who is waiting.
 		return false;
 	}
@@ -223,27 +222,25 @@ std::size_t SnapshotEncoder::encode(int p_client, int64_t p_now_usec, DatagramLi
 	if (!is_due && !_history.has_jolts()) {
 		return 0;
 	}
-	_collect_people(*client, !is_due);
-	_collect_bodies(*client, !is_due);
-	_fields_waiting.clear();
+	_people.collect(*client, !is_due);
+	_bodies.collect(*client, !is_due);
 	if (is_due) {
-		_collect_fields(*client);
+		_fields.collect(*client);
 		client->last_tick = _history.tick();
+	} else {
+		_fields.collect_nothing();
 	}
-	const auto is_waiting = [this] {
-		return !_people_waiting.empty() || !_bodies_waiting.empty() || !_fields_waiting.empty();
-	};
-	const bool is_silent = !is_waiting() && client->is_command_acked && !client->owes_motion_ack;
+	const bool is_silent = !_is_waiting() && client->is_command_acked && !client->owes_motion_ack;
 	const uint32_t silence = uint32_t(_history.rate()) / SILENCES_PER_SECOND;
 	if (is_silent && client->sent_tick != NEVER && _history.tick() - client->sent_tick < silence) {
 		return 0;
 	}
 	const std::size_t most = client->is_recorder ? MAX_RECORDED : MAX_DATAGRAMS;
 	std::size_t count = 0;
-	while (count < most && (count == 0 || is_waiting())) {
+	while (count < most && (count == 0 || _is_waiting())) {
 		const double left = client->is_recorder ? double(MAX_BYTES) : client->allowance - double(_datagram_overhead);
 		const double room = std::min(left, double(MAX_BYTES));
-		if (room < double(WORST_BODY)) {
+		if (room < double(BodiesWriter::WORST_BODY)) {
 			break;
 		}
 		if (!_write_datagram(*client, r_datagrams.add(), std::size_t(room), p_now_usec)) {

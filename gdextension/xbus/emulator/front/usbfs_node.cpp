@@ -12,6 +12,18 @@
 
 namespace emulator {
 
+namespace {
+
+/// The structure that the program passed; null where its memory cannot be read.
+template <class T>
+T *argument_of(UMockdevIoctlClient *p_client) {
+	UMockdevIoctlData *argument = umockdev_ioctl_client_get_arg(p_client);
+	UMockdevIoctlData *data = umockdev_ioctl_data_resolve(argument, 0, sizeof(T), nullptr);
+	return data == nullptr ? nullptr : reinterpret_cast<T *>(data->data);
+}
+
+} // namespace
+
 UsbfsNode::UsbfsNode(
 		Shared &p_shared, UsbPort &p_port, Testbed &p_testbed, int p_index, std::string p_driver, UsbPort::Log p_log) :
 		_shared(p_shared),
@@ -20,6 +32,8 @@ UsbfsNode::UsbfsNode(
 		_index(p_index),
 		_driver(std::move(p_driver)),
 		_log(std::move(p_log)),
+		_claims(p_port, _driver, _log,
+				[this](unsigned p_interface, bool p_is_bound) { _node->set_driver(p_interface, p_is_bound); }),
 		_handler(umockdev_ioctl_base_new()) {
 	g_signal_connect(_handler, "handle-ioctl", G_CALLBACK(_on_ioctl), this);
 }
@@ -43,9 +57,7 @@ void UsbfsNode::plug(bool p_in) {
 			const std::lock_guard lock(_shared.mutex);
 			_port.plug(false, _shared.now());
 			collect();
-			for (auto &[client, opened] : _opened) {
-				opened.claimed.clear();
-			}
+			_claims.forget_all();
 			_log("unplugged");
 		}
 		_node->leave();
@@ -55,13 +67,7 @@ void UsbfsNode::plug(bool p_in) {
 	{
 		const std::lock_guard lock(_shared.mutex);
 		std::swap(_node, node);
-		_bound.clear();
-		for (unsigned i = 0; i < _port.description().interface_count(); i++) {
-			// The kernel's driver for native devices takes the second interface and no other.
-			if (_driver != "xsens_mt" || i == 1) {
-				_bind(i);
-			}
-		}
+		_claims.begin();
 		_port.plug(true, _shared.now());
 		_log("plugged");
 		_shared.wake_early();
@@ -95,6 +101,83 @@ void UsbfsNode::_on_gone(gpointer p_self, GObject *p_client) {
 	self->_close(reinterpret_cast<UMockdevIoctlClient *>(p_client));
 }
 
+UsbfsNode::Result UsbfsNode::_dispatch(UMockdevIoctlClient *p_client, unsigned p_request) {
+	switch (p_request) {
+		case USBDEVFS_REAPURB:
+		case USBDEVFS_REAPURBNDELAY:
+			return _reap(p_client, p_request == USBDEVFS_REAPURB);
+		default:
+			break;
+	}
+	if (!_port.is_plugged()) {
+		return -ENODEV;
+	}
+	switch (p_request) {
+		case USBDEVFS_SUBMITURB:
+			return _submit(p_client);
+		case USBDEVFS_DISCARDURB:
+			return _discard(p_client);
+		case USBDEVFS_CONTROL:
+			return _control(p_client);
+		case USBDEVFS_GET_CAPABILITIES: {
+			auto *capabilities = argument_of<uint32_t>(p_client);
+			if (capabilities == nullptr) {
+				return -EFAULT;
+			}
+			*capabilities =
+					USBDEVFS_CAP_ZERO_PACKET | USBDEVFS_CAP_NO_PACKET_SIZE_LIM | USBDEVFS_CAP_REAP_AFTER_DISCONNECT;
+			return 0;
+		}
+		case USBDEVFS_RESET:
+			_log("reset");
+			_port.discard_all(-ENOENT);
+			return 0;
+		case USBDEVFS_GET_SPEED:
+			return _port.description().speed == 480 ? 3 : 2;
+		default:
+			return _dispatch_interface(p_client, p_request);
+	}
+}
+
+UsbfsNode::Result UsbfsNode::_dispatch_interface(UMockdevIoctlClient *p_client, unsigned p_request) {
+	switch (p_request) {
+		case USBDEVFS_GETDRIVER: {
+			auto *asked = argument_of<usbdevfs_getdriver>(p_client);
+			return asked == nullptr ? -EFAULT : _claims.tell_driver(*asked);
+		}
+		case USBDEVFS_IOCTL: {
+			const auto *asked = argument_of<usbdevfs_ioctl>(p_client);
+			return asked == nullptr ? -EFAULT : _claims.ask_driver(*asked);
+		}
+		case USBDEVFS_DISCONNECT_CLAIM: {
+			const auto *asked = argument_of<usbdevfs_disconnect_claim>(p_client);
+			return asked == nullptr ? -EFAULT : _claims.disconnect_and_claim(p_client, *asked);
+		}
+		default:
+			break;
+	}
+	const auto *number = argument_of<unsigned>(p_client);
+	if (number == nullptr) {
+		return p_request == USBDEVFS_CONNECTINFO ? -ENOTTY : -EFAULT;
+	}
+	switch (p_request) {
+		case USBDEVFS_CLAIMINTERFACE:
+			return _claims.claim(p_client, *number);
+		case USBDEVFS_RELEASEINTERFACE:
+			return _claims.release(p_client, *number);
+		case USBDEVFS_CLEAR_HALT:
+		case USBDEVFS_RESETEP:
+			_log("clear halt " + std::to_string(*number));
+			_port.clear_halt(uint8_t(*number));
+			return 0;
+		case USBDEVFS_SETINTERFACE:
+		case USBDEVFS_SETCONFIGURATION:
+			return 0;
+		default:
+			return -ENOTTY;
+	}
+}
+
 void UsbfsNode::_free(Transfer &r_transfer) {
 	g_clear_object(&r_transfer.buffer);
 	g_clear_object(&r_transfer.urb);
@@ -110,6 +193,7 @@ void UsbfsNode::_close(UMockdevIoctlClient *p_client) {
 		_free(transfer);
 	}
 	_opened.erase(opened);
+	_claims.forget(p_client);
 	for (auto it = _transfers.begin(); it != _transfers.end();) {
 		if (it->second.client == p_client) {
 			_port.discard(it->first, -ENOENT);

@@ -3,9 +3,9 @@
 
 #include "cable/usb_port.hpp"
 #include "front/device_node.hpp"
+#include "front/interface_claims.hpp"
 
 #include <mutex>
-#include <set>
 
 namespace emulator {
 
@@ -46,13 +46,12 @@ private:
 	};
 	/// A program that has the node open.
 	struct Opened {
-		std::set<unsigned> claimed;
 		std::deque<Transfer> finished;
 		/// Waits in REAPURB until something is finished.
 		bool is_waiting = false;
 	};
 	/// Result of an ioctl: 0 or more, or a negative errno. LATER: it is answered by somebody else.
-	using Result = long;
+	using Result = InterfaceClaims::Result;
 	static constexpr Result LATER = -100000;
 
 	static gboolean _on_ioctl(UMockdevIoctlBase *p_base, UMockdevIoctlClient *p_client, gpointer p_self);
@@ -65,14 +64,6 @@ private:
 	Result _discard(UMockdevIoctlClient *p_client);
 	Result _reap(UMockdevIoctlClient *p_client, bool p_waits);
 	Result _control(UMockdevIoctlClient *p_client);
-	Result _claim(Opened &r_opened, unsigned p_interface);
-	Result _release(Opened &r_opened, unsigned p_interface);
-	Result _tell_driver(UMockdevIoctlClient *p_client);
-	Result _disconnect_and_claim(UMockdevIoctlClient *p_client);
-	Result _driver_ioctl(UMockdevIoctlClient *p_client);
-	Result _unbind(unsigned p_interface);
-	Result _bind(unsigned p_interface);
-	bool _is_claimed(unsigned p_interface) const;
 	/// Makes a transfer of what the program has submitted; null where it makes no sense.
 	std::unique_ptr<Urb> _make_urb(UMockdevIoctlClient *p_client, Transfer &r_transfer);
 	void _hand_over(Transfer p_transfer);
@@ -80,9 +71,6 @@ private:
 	void _close(UMockdevIoctlClient *p_client);
 	void _update_gate();
 	static void _free(Transfer &r_transfer);
-	/// The structure that the program passed; null where its memory cannot be read.
-	template <class T>
-	static T *_argument(UMockdevIoctlClient *p_client);
 
 	Shared &_shared;
 	UsbPort &_port;
@@ -90,12 +78,11 @@ private:
 	int _index;
 	std::string _driver;
 	UsbPort::Log _log;
+	InterfaceClaims _claims;
 	std::unique_ptr<DeviceNode> _node;
 	UMockdevIoctlBase *_handler = nullptr;
 	std::map<UMockdevIoctlClient *, Opened> _opened;
 	std::map<uint64_t, Transfer> _transfers;
-	/// Interfaces that the kernel's driver has.
-	std::set<unsigned> _bound;
 	uint64_t _last_id = 0;
 };
 

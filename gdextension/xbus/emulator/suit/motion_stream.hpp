@@ -20,7 +20,7 @@ struct LimbMotion {
 	kinematics::Vec3 acceleration;
 };
 
-/// The motion of a person's limbs, as scripts/mocap/emulator/write_motion_stream.gd makes it from a BVH file.
+/// The motion of a person's limbs, as scripts/emulation/write_suit_motion.gd makes it from a BVH file.
 /// After its last frame it goes on at the frame where the loop begins.
 ///
 /// The file is little-endian: "XBMOTION", u32 version (1), u32 limbs, f64 frames a second, u32 frames, u32 first

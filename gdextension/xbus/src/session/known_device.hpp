@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bus/bytes.hpp"
 #include "bus/message.hpp"
 #include "session/suit_frame.hpp"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace xbus {
@@ -25,6 +27,24 @@ struct KnownDevice {
 	bool speaks_mtdata2() const {
 		const bool is_unknown_tracker = kind == DeviceKind::UNKNOWN && !is_unknown_master;
 		return kind == DeviceKind::MTI_10 || kind == DeviceKind::MTI_100 || is_unknown_tracker;
+	}
+	/// Whether what it says, and what makes its orientations, is public.
+	bool has_public_protocol() const {
+		return kind != DeviceKind::AWINDA_STATION && kind != DeviceKind::AWINDA_DONGLE &&
+				kind != DeviceKind::BODY_PACK && kind != DeviceKind::MTW2_MTX2;
+	}
+	/// Takes the identifiers of a master's trackers, four bytes each. Returns false, and changes nothing, if that
+	/// is no such list, or one of more than MAX_TRACKERS.
+	bool take_trackers(const uint8_t *p_bytes, std::size_t p_size) {
+		const std::size_t count = p_size / 4;
+		if (p_size % 4 != 0 || count > std::size_t(MAX_TRACKERS)) {
+			return false;
+		}
+		for (std::size_t tracker = 0; tracker < count; ++tracker) {
+			tracker_ids[tracker] = read_u32(p_bytes + 4 * tracker);
+		}
+		tracker_count = int(count);
+		return true;
 	}
 	uint8_t bus_id_of(int p_tracker) const { return is_master() ? uint8_t(p_tracker + 1) : MASTER; }
 };

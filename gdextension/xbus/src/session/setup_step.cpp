@@ -3,6 +3,12 @@
 
 namespace xbus {
 
+namespace {
+
+constexpr uint8_t FAST_BAUD_CODE = 0x00;
+
+} // namespace
+
 Patience patience(SetupStep p_step) {
 	switch (p_step) {
 		case SetupStep::GO_TO_CONFIG:
@@ -56,6 +62,39 @@ SetupStep step_after(SetupStep p_step, const KnownDevice &p_device) {
 			return SetupStep::MEASURING;
 		default:
 			return SetupStep::STOPPED;
+	}
+}
+
+Request request_of(SetupStep p_step, const OutputChoice &p_choice, uint8_t p_bus_id) {
+	switch (p_step) {
+		case SetupStep::DEVICE_ID:
+			return host::request_device_id();
+		case SetupStep::INIT_BUS:
+			return host::init_bus();
+		case SetupStep::BUS_POWER:
+			return host::set_bus_power(true);
+		case SetupStep::CONFIGURATION:
+			return host::request_configuration();
+		case SetupStep::SET_BAUD:
+			return host::set_baud_rate(FAST_BAUD_CODE);
+		case SetupStep::OUTPUT_MODE:
+			return host::set_output_mode(p_choice.outputs().mode, p_bus_id);
+		case SetupStep::OUTPUT_SETTINGS:
+			return host::set_output_settings(p_choice.outputs().settings, p_bus_id);
+		case SetupStep::PERIOD:
+			return host::set_period(p_choice.outputs().period);
+		case SetupStep::SKIP_FACTOR:
+			return host::set_skip_factor(0, MASTER);
+		case SetupStep::DATA_LENGTH:
+			return host::request_data_length();
+		case SetupStep::OUTPUT_CONFIGURATION:
+			return p_choice.mtdata2_request();
+		case SetupStep::BATTERY:
+			return host::request_battery_level();
+		case SetupStep::MEASURE:
+			return host::go_to_measurement();
+		default:
+			return host::go_to_config();
 	}
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "bus/requests.hpp"
 #include "session/known_device.hpp"
+#include "session/output_choice.hpp"
 
 #include <cstdint>
 
@@ -42,6 +44,8 @@ struct Patience {
 Patience patience(SetupStep p_step);
 /// The step after the answer to one.
 SetupStep step_after(SetupStep p_step, const KnownDevice &p_device);
+/// What is asked in a step, of whom a bus identifier names where it is about trackers.
+Request request_of(SetupStep p_step, const OutputChoice &p_choice, uint8_t p_bus_id);
 /// Whether a step sets up the trackers: of a slow device all of these are asked at once.
 constexpr bool is_of_trackers(SetupStep p_step) {
 	return p_step == SetupStep::OUTPUT_MODE || p_step == SetupStep::OUTPUT_SETTINGS || p_step == SetupStep::PERIOD;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "motor_settings.hpp"
+
+#include <algorithm>
+
+namespace godot {
+
+void MotorSettings::apply(ragdoll::Driver &r_driver) const {
+	r_driver.root_mode = root_mode;
+	r_driver.root_settings.force = float(root_force);
+	r_driver.root_settings.torque = float(root_torque);
+	ragdoll::BalanceSettings &balance = r_driver.get_balance().settings;
+	balance.residual = float(residual_share);
+	balance.torque = float(root_torque);
+	balance.standing_torque = std::min(float(standing_torque), float(root_torque));
+	r_driver.get_controller().settings.gain = float(gain);
+	r_driver.get_controller().settings.muscle_speed = float(muscle_speed);
+	r_driver.get_guard().max_energy = float(max_energy);
+	r_driver.measures_torque = measures_torque;
+	r_driver.get_meter().measures_lag = measures_lag;
+}
+
+} // namespace godot

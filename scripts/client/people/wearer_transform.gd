@@ -1,0 +1,11 @@
+class_name WearerTransform
+extends RefCounted
+## Transform of this client's wearer in the world.
+
+## Number of the person.
+var actor: int = -1
+## Transform of the wearer's own frame, in which samples are, in the world.
+var frame: Transform3D = Transform3D.IDENTITY
+## What carries the person: its number, or -1, and its transform.
+var carrier: int = -1
+var carrier_frame: Transform3D = Transform3D.IDENTITY
