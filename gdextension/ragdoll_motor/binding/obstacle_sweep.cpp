@@ -5,6 +5,7 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 
 namespace godot {
@@ -30,8 +31,10 @@ bool ObstacleSweep::stands_firm(const RID &p_body) const {
 	return double(server->body_get_param(p_body, PhysicsServer3D::BODY_PARAM_MASS)) >= GroundRays::HEAVY;
 }
 
-void ObstacleSweep::attach(const std::vector<RID> &p_bodies) {
+void ObstacleSweep::attach(const std::vector<RID> &p_bodies, const RID &p_space) {
 	_bodies = p_bodies;
+	_space = p_space;
+	_ray.instantiate();
 	_parameters.instantiate();
 	_result.instantiate();
 	_own = TypedArray<RID>();
@@ -69,6 +72,30 @@ bool ObstacleSweep::is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orienta
 		_parameters->set_exclude_bodies(_own);
 	}
 	return is_met;
+}
+
+bool ObstacleSweep::is_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to) const {
+	PhysicsDirectSpaceState3D *space = PhysicsServer3D::get_singleton()->space_get_direct_state(_space);
+	if (space == nullptr) {
+		return false;
+	}
+	_ray->set_from(from_core(p_from));
+	_ray->set_to(from_core(p_to));
+	_ray->set_collision_mask(_mask);
+	TypedArray<RID> passed = _own.duplicate();
+	for (int ray = 0; ray < MAX_SWEEPS; ray++) {
+		_ray->set_exclude(passed);
+		const Dictionary found = space->intersect_ray(_ray);
+		if (found.is_empty()) {
+			return false;
+		}
+		const RID body = found["rid"];
+		if (stands_firm(body)) {
+			return true;
+		}
+		passed.push_back(body);
+	}
+	return false;
 }
 
 } // namespace godot

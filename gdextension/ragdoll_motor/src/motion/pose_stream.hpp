@@ -71,6 +71,8 @@ public:
 	double newest() const { return at(0).time_s; }
 	double oldest() const { return at(_count - 1).time_s; }
 	bool is_stalled(double p_time_s) const { return is_empty() || p_time_s - newest() > STALL_AFTER; }
+	/// Whether the newest sample tells velocities: one before it, or a gyroscope's.
+	bool knows_rates() const { return !is_empty() && (at(0).span_s > 0.0 || at(0).knows_rates); }
 	/// Whether the root has been put elsewhere since the last call.
 	bool take_teleport();
 

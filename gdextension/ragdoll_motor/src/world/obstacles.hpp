@@ -17,6 +17,8 @@ public:
 	/// p_centre (m), the position of its centre.
 	virtual bool is_in_way(
 			std::size_t p_limb, const Quat &p_orientation, const Vec3 &p_centre, const Vec3 &p_motion) const = 0;
+	/// Whether something that does not give way lies between two places (m).
+	virtual bool is_between(const Vec3 & /*p_from*/, const Vec3 & /*p_to*/) const { return false; }
 };
 
 /// Whether something is in the way of the root's body as it is moved by p_motion (m).
