@@ -3,10 +3,9 @@ extends RefCounted
 ## One clip in the benchmark of beginnings: bodies side by side that begin at moments of it, or go
 ## on at them after a pause, beside one that does neither.
 
-## How far a limb may be off, deg, and how much of it may be the beginning's.
-const LIMIT_DEG: float = 8.0
-const BECAUSE_DEG: float = 2.0
+## How long pauses are, s.
 const PAUSES: Array[float] = [0.2, 0.35, 0.6, 0.9, 1.5, 3.0]
+## How many moments of a clip are tried.
 const MOMENTS: int = 8
 ## For how long a body is looked at, s: shorter in short clips.
 const _WATCH_S: float = 0.6
@@ -29,6 +28,7 @@ var _source: BvhSource = null
 var _count: int = 0
 var _usual: StartBody = null
 var _rate: int = 60
+var _steps: int = 0
 var _watch_s: float = _WATCH_S
 
 
@@ -44,6 +44,8 @@ func run(p_tree: SceneTree, p_source: BvhSource, p_hz: int) -> void:
 	var length: float = _length() + _watch_s
 	while _world.time_s < length:
 		await _step(p_tree)
+	for body: StartBody in bodies:
+		body.judge(_usual, _world.delta_s)
 	_world.queue_free()
 	await p_tree.process_frame
 
@@ -95,7 +97,7 @@ func _step(p_tree: SceneTree) -> void:
 			body.person.ragdoll.drive(now, _world.delta_s)
 	await p_tree.physics_frame
 	_world.time_s += _world.delta_s
-	_judge()
+	_look()
 
 
 func _send(p_all: Array[StartBody], p_time_s: float) -> void:
@@ -109,16 +111,17 @@ func _send(p_all: Array[StartBody], p_time_s: float) -> void:
 			body.person.ragdoll.push_sample(p_time_s, sample, sample.root + body.origin)
 
 
-func _judge() -> void:
+func _look() -> void:
+	_steps += 1
 	var sample: PoseSample = _source.pose_at(_world.time_s)
 	var targets: Array[Transform3D] = _usual.person.targets(sample, sample.root)
-	var usual: PackedFloat64Array = _usual.errors(targets)
+	_usual.note(_steps, targets)
 	for body: StartBody in bodies:
 		var since: float = _world.time_s - body.goes_on_s
 		if body.person == null or since < StartBody.LOOK_S - 1e-6:
 			continue
 		if since < _watch_s:
-			body.judge(since, targets, usual, LIMIT_DEG)
+			body.note(_steps, targets)
 		else:
 			body.person.ragdoll.queue_free()
 			body.person = null
