@@ -82,13 +82,17 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 		finds_anew = finds_travel(root_mode);
 		_arrival.begin();
 	}
+	if (goes_on && !must_jump) {
+		go_on(r_state);
+		finds_anew = finds_travel(root_mode);
+	}
 	travel(r_state, p_delta_s);
 	// Who is only carried along by what turns keeps the pose and the speed that he has.
-	const bool was_put = must_jump || _commands.guarded != GUARD_NOTHING;
+	const bool was_put = _arrival.is_on() || _commands.guarded != GUARD_NOTHING;
 	if (was_put && finds_anew) {
 		place(r_state); // On the ground that was found, wherever the root was told to be.
 	}
-	arrive(r_state, goes_on && !must_jump, p_delta_s);
+	arrive(r_state, p_delta_s);
 	balance(r_state, p_delta_s);
 	const bool is_stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
 	_table.set_overall(is_stalled ? STALLED_STRENGTH : 1.0f, _arrival.is_on() ? 0.0f : LET_GO_S);
@@ -133,10 +137,16 @@ Vec3 Driver::find_offset() const {
 	return root_mode == RootMode::GROUNDED ? _steady_offset : Vec3();
 }
 
-void Driver::arrive(RigState &r_state, bool p_goes_on, float p_delta_s) {
-	if (p_goes_on) {
-		_arrival.begin_from(_rig, r_state, _now, find_offset(), _table, obstacles);
+void Driver::go_on(RigState &r_state) {
+	const bool finds = finds_travel(root_mode);
+	_now.root = finds ? r_state.root : _now.root;
+	_arrival.begin_from(_rig, r_state, _now, find_offset(), finds, _table, obstacles);
+	if (finds) {
+		place(r_state);
 	}
+}
+
+void Driver::arrive(RigState &r_state, float p_delta_s) {
 	if (_arrival.is_on()) {
 		forget();
 		_arrival.advance(_rig, _now, _next, _stream.knows_rates(), p_delta_s, r_state);

@@ -146,8 +146,10 @@ private:
 	bool can_go_on() const;
 	/// From where the motion has the root to where the body that goes on will have it, m.
 	Vec3 find_offset() const;
-	/// Begins, or goes on with, what brings the body into the motion.
-	void arrive(RigState &r_state, bool p_goes_on, float p_delta_s);
+	/// Begins to bring the body back to a motion that goes on.
+	void go_on(RigState &r_state);
+	/// Brings the body into the motion, as long as it takes.
+	void arrive(RigState &r_state, float p_delta_s);
 	void travel(const RigState &p_state, float p_delta_s);
 	void balance(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);

@@ -142,16 +142,27 @@ void PoseStream::foresee(Sample &r_sample) {
 			const Vec3 turned = log(at(0).orientations[i].inverse() * r_sample.orientations[i]);
 			_turns[i].advance(turned * (1.0f / float(span)), r_sample.rates[i], float(span));
 		} else {
-			_turns[i].begin(r_sample.rates[i]);
+			begin(_turns[i], r_sample.rates[i], r_sample.knows_rates);
 		}
 		r_sample.turn_changes[i] = _turns[i].get_change() * calmness;
 	}
 	if (follows) {
 		_path.advance((r_sample.root - at(0).root) * (1.0f / float(span)), r_sample.root_rate, float(span));
 	} else {
-		_path.begin(r_sample.root_rate);
+		begin(_path, r_sample.root_rate, false);
 	}
 	r_sample.root_change = _path.get_change();
+}
+
+void PoseStream::begin(RatePredictor &r_predictor, const Vec3 &p_rate, bool p_knows_rate) const {
+	if (_count == 0) {
+		r_predictor.begin();
+	} else {
+		r_predictor.pause();
+	}
+	if (p_knows_rate) {
+		r_predictor.set_rate(p_rate);
+	}
 }
 
 float PoseStream::forgetting(double p_span_s) const {

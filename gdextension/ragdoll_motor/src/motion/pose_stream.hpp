@@ -109,6 +109,8 @@ private:
 	void interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const;
 	void extrapolate(double p_age_s, Pose &r_pose) const;
 
+	/// Begins a predictor with the first sample, or with the first one after a pause.
+	void begin(RatePredictor &r_predictor, const Vec3 &p_rate, bool p_knows_rate) const;
 	float forgetting(double p_span_s) const;
 
 	std::size_t _limb_count;

@@ -21,11 +21,11 @@ void Arrival::begin() {
 }
 
 void Arrival::begin_from(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Vec3 &p_offset,
-		const ActuationTable &p_table, const Obstacles *p_obstacles) {
+		bool p_at_once, const ActuationTable &p_table, const Obstacles *p_obstacles) {
 	begin();
 	_offset = p_offset;
 	_off = p_state.root - p_now.root - p_offset;
-	const bool is_far = _off.length() > LONG_WAY;
+	const bool is_far = p_at_once || _off.length() > LONG_WAY;
 	p_rig.joint_positions(p_now, _joints);
 	for (std::size_t i = 0; i < _limbs.size(); i++) {
 		Limb &limb = _limbs[i];
@@ -37,7 +37,7 @@ void Arrival::begin_from(const Rig &p_rig, const RigState &p_state, const Pose &
 		limb.held = p_state.orientations[std::size_t(parent)].inverse() * p_state.orientations[i];
 		const Vec3 to = _joints[i] + p_now.orientations[i].rotate(p_rig[i].centre) + p_offset;
 		limb.is_held = p_table.get_mode(i) == Actuation::LIMP ||
-				(!is_far && p_obstacles != nullptr && p_obstacles->is_between(p_state.centres[i], to));
+				(_off.length() < LONG_WAY && p_obstacles != nullptr && p_obstacles->is_between(p_state.centres[i], to));
 	}
 	_off = is_far ? Vec3() : _off;
 }

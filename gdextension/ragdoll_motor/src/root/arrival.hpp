@@ -32,8 +32,10 @@ public:
 	/// Begins from where the body is.
 	/// @param p_now the motion at the beginning of the step
 	/// @param p_offset from the motion's root to where the body's will be, m
+	/// @param p_at_once whether nothing lies between the two poses: what finds the travel by the body's own feet
+	/// would take the way there for one that the feet went
 	/// @param p_obstacles null where nothing is known of what is in the way
-	void begin_from(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Vec3 &p_offset,
+	void begin_from(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Vec3 &p_offset, bool p_at_once,
 			const ActuationTable &p_table, const Obstacles *p_obstacles);
 	bool is_on() const { return _is_on; }
 
