@@ -68,7 +68,8 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
-	const bool has_come_back = _watch.advance(_stream, p_time_s);
+	const bool has_come_back = _watch.advance(_stream, p_time_s) &&
+			(begins || _table.get_mode(0) != Actuation::LIMP); // Whoever lies limp stays where he lies.
 	const bool goes_on = !begins && _watch.has_resumed() && can_go_on();
 	if (is_seated) {
 		_frame.move(_now);
@@ -92,7 +93,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	if (was_put && finds_anew) {
 		place(r_state); // On the ground that was found, wherever the root was told to be.
 	}
-	arrive(r_state, p_delta_s);
+	arrive(r_state, _stream.knows_rates() || _watch.is_stalled(), p_delta_s);
 	balance(r_state, p_delta_s);
 	const bool is_stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
 	_table.set_overall(is_stalled ? STALLED_STRENGTH : 1.0f, _arrival.is_on() ? 0.0f : LET_GO_S);
@@ -120,7 +121,8 @@ bool Driver::find_motion(RigState &r_state, double p_time_s, float p_delta_s) {
 		_commands.must_put = true;
 	}
 	_stream.predict(p_time_s, _now);
-	_stream.predict(p_time_s + double(p_delta_s), _next);
+	// A pose that comes after a pause is not the end of a step that begins within that.
+	_stream.predict(_stream.is_stalled(p_time_s) ? p_time_s : p_time_s + double(p_delta_s), _next);
 	_frame.apply(_now, _next);
 	// Whoever moves the frame at once means it: a seat is taken whatever is between.
 	const float carried = _frame.get_way(_now.root).length();
@@ -146,10 +148,10 @@ void Driver::go_on(RigState &r_state) {
 	}
 }
 
-void Driver::arrive(RigState &r_state, float p_delta_s) {
+void Driver::arrive(RigState &r_state, bool p_may_end, float p_delta_s) {
 	if (_arrival.is_on()) {
 		forget();
-		_arrival.advance(_rig, _now, _next, _stream.knows_rates(), p_delta_s, r_state);
+		_arrival.advance(_rig, _now, _next, p_may_end, p_delta_s, r_state);
 		_commands.must_put = true;
 	}
 }

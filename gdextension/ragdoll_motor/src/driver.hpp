@@ -149,7 +149,8 @@ private:
 	/// Begins to bring the body back to a motion that goes on.
 	void go_on(RigState &r_state);
 	/// Brings the body into the motion, as long as it takes.
-	void arrive(RigState &r_state, float p_delta_s);
+	/// @param p_may_end whether the motion's velocity is known, or will not come any more
+	void arrive(RigState &r_state, bool p_may_end, float p_delta_s);
 	void travel(const RigState &p_state, float p_delta_s);
 	void balance(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);

@@ -192,16 +192,34 @@ void PoseStream::recall(double p_time_s, Pose &r_pose) const {
 	interpolate(std::min(p_time_s, newest()), &Sample::sampled, r_pose);
 }
 
-void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
-	std::size_t age = 0; // Of the later of the two samples that the time lies between.
+std::size_t PoseStream::find_after(double p_time_s) const {
+	std::size_t age = 0;
 	while (age + 2 < _count && at(age + 1).time_s > p_time_s) {
 		age++;
 	}
+	return age;
+}
+
+bool PoseStream::is_stalled(double p_time_s) const {
+	if (is_empty() || p_time_s - newest() > STALL_AFTER) {
+		return true;
+	}
+	const std::size_t age = find_after(p_time_s);
+	if (age + 1 >= _count) {
+		return false;
+	}
+	const double before = at(age + 1).time_s;
+	const double after = at(age).time_s;
+	return after - before > MAX_GAP && p_time_s - before > STALL_AFTER && p_time_s < after - SAME_TIME;
+}
+
+void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
+	const std::size_t age = find_after(p_time_s);
 	const Sample &after = at(age);
 	const Sample &before = at(std::min(age + 1, _count - 1));
 	const double span = after.time_s - before.time_s;
 	if (span <= 0.0 || span > MAX_GAP) {
-		const Sample &held = p_time_s < after.time_s ? before : after;
+		const Sample &held = p_time_s < after.time_s - SAME_TIME ? before : after;
 		r_pose.orientations = held.*p_which;
 		r_pose.root = held.root;
 		return;

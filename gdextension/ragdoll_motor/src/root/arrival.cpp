@@ -51,7 +51,7 @@ void Arrival::blend(const Rig &p_rig, const Pose &p_motion, float p_left, Pose &
 	}
 }
 
-void Arrival::advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_knows_rates, float p_delta_s,
+void Arrival::advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_may_end, float p_delta_s,
 		RigState &r_state) {
 	const float left = 1.0f - std::min(_time_s / DURATION_S, 1.0f);
 	blend(p_rig, p_now, left, _placed);
@@ -59,7 +59,7 @@ void Arrival::advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, b
 	blend(p_rig, p_next, left, _placed_next);
 	place_at_rest(p_rig, _placed, _joints, r_state);
 	set_in_motion(p_rig, _placed, _placed_next, p_delta_s, _joints, r_state);
-	_is_on = _time_s < DURATION_S || !p_knows_rates;
+	_is_on = _time_s < DURATION_S || !p_may_end;
 	_time_s += p_delta_s;
 }
 

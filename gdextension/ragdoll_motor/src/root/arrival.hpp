@@ -41,9 +41,9 @@ public:
 
 	/// Begins a step: puts the bodies where they are at its beginning, with the velocities that lead along the
 	/// motion. The last placing is exactly the motion's.
-	/// @param p_knows_rates whether the motion's velocity is known yet
+	/// @param p_may_end whether the motion's velocity is known, or will not come
 	/// @param p_now, p_next the motion at the beginning and at the end of the step
-	void advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_knows_rates, float p_delta_s,
+	void advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_may_end, float p_delta_s,
 			RigState &r_state);
 
 	void save(ArchiveWriter &p_archive) const;
