@@ -5,6 +5,7 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
 #include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 
@@ -74,28 +75,46 @@ bool ObstacleSweep::is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orienta
 	return is_met;
 }
 
-bool ObstacleSweep::is_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to) const {
+bool ObstacleSweep::find_between(
+		const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to, ragdoll::Hit &r_hit) const {
 	PhysicsDirectSpaceState3D *space = PhysicsServer3D::get_singleton()->space_get_direct_state(_space);
-	if (space == nullptr) {
+	const float length = (p_to - p_from).length();
+	if (space == nullptr || !(length > 0.0f)) {
 		return false;
 	}
 	_ray->set_from(from_core(p_from));
 	_ray->set_to(from_core(p_to));
 	_ray->set_collision_mask(_mask);
-	TypedArray<RID> passed = _own.duplicate();
+	_ray->set_exclude(_own);
+	TypedArray<RID> passed;
 	for (int ray = 0; ray < MAX_SWEEPS; ray++) {
-		_ray->set_exclude(passed);
 		const Dictionary found = space->intersect_ray(_ray);
 		if (found.is_empty()) {
 			return false;
 		}
 		const RID body = found["rid"];
 		if (stands_firm(body)) {
+			const Vector3 at = found["position"];
+			r_hit.share = (to_core(at) - p_from).length() / length;
+			r_hit.normal = to_core(Vector3(found["normal"]));
+			r_hit.velocity = find_velocity(body, at);
 			return true;
 		}
+		// What gives way may hide what does not.
+		passed = passed.is_empty() ? TypedArray<RID>(_own.duplicate()) : passed;
 		passed.push_back(body);
+		_ray->set_exclude(passed);
 	}
 	return false;
+}
+
+ragdoll::Vec3 ObstacleSweep::find_velocity(const RID &p_body, const Vector3 &p_at) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	if (server->body_get_mode(p_body) == PhysicsServer3D::BODY_MODE_STATIC) {
+		return {};
+	}
+	const PhysicsDirectBodyState3D *state = server->body_get_direct_state(p_body);
+	return state == nullptr ? ragdoll::Vec3() : to_core(state->get_velocity_at_local_position(p_at - state->get_transform().origin));
 }
 
 } // namespace godot

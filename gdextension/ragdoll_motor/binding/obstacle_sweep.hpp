@@ -24,10 +24,11 @@ public:
 	void set_mask(std::uint32_t p_mask) { _mask = p_mask; }
 	bool is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_centre,
 			const ragdoll::Vec3 &p_motion) const override;
-	bool is_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to) const override;
+	bool find_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to, ragdoll::Hit &r_hit) const override;
 
 private:
 	bool stands_firm(const RID &p_body) const;
+	static ragdoll::Vec3 find_velocity(const RID &p_body, const Vector3 &p_at);
 
 	std::vector<RID> _bodies;
 	RID _space;

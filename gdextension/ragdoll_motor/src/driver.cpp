@@ -66,6 +66,9 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
+	const bool lands =
+			_landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
+	_commands.must_put = lands || _commands.must_put;
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
 	const bool has_come_back = _watch.advance(_stream, p_time_s) &&

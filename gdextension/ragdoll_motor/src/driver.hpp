@@ -13,6 +13,7 @@
 #include "root/carried_frame.hpp"
 #include "root/getting_up.hpp"
 #include "root/held_root.hpp"
+#include "root/landing.hpp"
 #include "root/root_drive.hpp"
 #include "root/tether.hpp"
 #include "world/obstacles.hpp"
@@ -176,6 +177,7 @@ private:
 	HeldRoot _held_root; // HELD.
 	GettingUp _getting_up;
 	EnergyGuard _guard;
+	Landing _landing;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
 	FlatGround _level_ground;

@@ -64,7 +64,7 @@ RigState sagged(const Rig &p_rig) {
 class Wall : public Obstacles {
 public:
 	bool is_in_way(std::size_t, const Quat &, const Vec3 &, const Vec3 &) const override { return false; }
-	bool is_between(const Vec3 &, const Vec3 &p_to) const override { return p_to.y > top; }
+	bool find_between(const Vec3 &, const Vec3 &p_to, Hit &) const override { return p_to.y > top; }
 	float top = 1e9f;
 };
 
