@@ -36,6 +36,7 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_balance(_rig, p_contacts),
 		_torques(_rig.size()),
 		_arrival(_rig.size()),
+		_surfaces(_rig),
 		_errors(_rig.size(), 0.0f) {
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
@@ -68,7 +69,8 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
 	const bool lands =
 			_landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
-	_commands.must_put = lands || _commands.must_put;
+	const bool is_turned = _surfaces.advance(_rig, _table, obstacles, r_state);
+	_commands.must_put = lands || is_turned || _commands.must_put;
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
 	const bool has_come_back = _watch.advance(_stream, p_time_s) &&
@@ -347,6 +349,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	_getting_up.save(p_archive);
 	_held_root.save(p_archive);
 	_frame.save(p_archive);
+	_surfaces.save(p_archive);
 	_tether.save(p_archive);
 	_travel.save(p_archive);
 	_balance.save(p_archive);
@@ -378,7 +381,8 @@ bool Driver::read(ArchiveReader &p_archive) {
 	root_mode = mode;
 	_torques.clear();
 	return _arrival.restore(p_archive) && p_archive.get(_steady_offset) && p_archive.get(_stood) && _watch.restore(p_archive) && _getting_up.restore(p_archive) &&
-			_held_root.restore(p_archive) && _frame.restore(p_archive) && _tether.restore(p_archive) &&
+			_held_root.restore(p_archive) && _frame.restore(p_archive) && _surfaces.restore(p_archive) &&
+			_tether.restore(p_archive) &&
 			_travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
 			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
 }

@@ -15,6 +15,7 @@
 #include "root/held_root.hpp"
 #include "root/landing.hpp"
 #include "root/root_drive.hpp"
+#include "root/surface_guard.hpp"
 #include "root/tether.hpp"
 #include "world/obstacles.hpp"
 
@@ -178,6 +179,7 @@ private:
 	GettingUp _getting_up;
 	EnergyGuard _guard;
 	Landing _landing;
+	SurfaceGuard _surfaces;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
 	FlatGround _level_ground;

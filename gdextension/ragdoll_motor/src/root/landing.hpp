@@ -16,7 +16,7 @@ public:
 	/// Who moves by no more than this in a step (m) is not looked after: the engine copes.
 	static constexpr float LONG_STEP = 0.13f;
 	/// Nobody is made to move by less than this in a step, m.
-	static constexpr float SHORT_STEP = 0.08f;
+	static constexpr float SHORT_STEP = 0.05f;
 	/// How far limbs reach from the centre of mass, m.
 	static constexpr float REACH = 1.3f;
 	/// Half a limb's thickness, m.
