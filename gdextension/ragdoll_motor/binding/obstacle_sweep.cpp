@@ -43,6 +43,7 @@ void ObstacleSweep::attach(const std::vector<RID> &p_bodies, const RID &p_space)
 		_own.push_back(body);
 	}
 	_parameters->set_exclude_bodies(_own);
+	_ray->set_exclude(_own);
 	_parameters->set_margin(MARGIN);
 	_parameters->set_max_collisions(MAX_COLLISIONS);
 }
@@ -85,12 +86,12 @@ bool ObstacleSweep::find_between(
 	_ray->set_from(from_core(p_from));
 	_ray->set_to(from_core(p_to));
 	_ray->set_collision_mask(_mask);
-	_ray->set_exclude(_own);
 	TypedArray<RID> passed;
+	bool is_met = false;
 	for (int ray = 0; ray < MAX_SWEEPS; ray++) {
 		const Dictionary found = space->intersect_ray(_ray);
 		if (found.is_empty()) {
-			return false;
+			break;
 		}
 		const RID body = found["rid"];
 		if (stands_firm(body)) {
@@ -98,14 +99,18 @@ bool ObstacleSweep::find_between(
 			r_hit.share = (to_core(at) - p_from).length() / length;
 			r_hit.normal = to_core(Vector3(found["normal"]));
 			r_hit.velocity = find_velocity(body, at);
-			return true;
+			is_met = true;
+			break;
 		}
 		// What gives way may hide what does not.
 		passed = passed.is_empty() ? TypedArray<RID>(_own.duplicate()) : passed;
 		passed.push_back(body);
 		_ray->set_exclude(passed);
 	}
-	return false;
+	if (!passed.is_empty()) {
+		_ray->set_exclude(_own); // Only then: the engine takes 16 of them apart each time.
+	}
+	return is_met;
 }
 
 ragdoll::Vec3 ObstacleSweep::find_velocity(const RID &p_body, const Vector3 &p_at) {

@@ -69,7 +69,8 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
 	const bool lands =
 			_landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
-	const bool is_turned = _surfaces.advance(_rig, _table, obstacles, r_state);
+	// Who sits in something is in it.
+	const bool is_turned = !_frame.is_set() && _surfaces.advance(_rig, _table, obstacles, r_state);
 	_commands.must_put = lands || is_turned || _commands.must_put;
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
