@@ -1,6 +1,5 @@
 extends Bench
-## How soon a body moves as its motion does where that begins in the middle of it, or goes on after a
-## pause.
+## How soon a body moves as its motion does that begins half-way, or goes on after a pause.
 ##
 ## At eight moments of each clip a body begins, and another one goes on after a pause of 0.2 to 3 s.
 ## Options: --bvh=FILE (again for more; default the clips in assets/motion), --root=grounded|soft|

@@ -76,8 +76,7 @@ bool ObstacleSweep::is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orienta
 	return is_met;
 }
 
-bool ObstacleSweep::find_between(
-		const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to, ragdoll::Hit &r_hit) const {
+bool ObstacleSweep::find_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to, ragdoll::Hit &r_hit) const {
 	PhysicsDirectSpaceState3D *space = PhysicsServer3D::get_singleton()->space_get_direct_state(_space);
 	const float length = (p_to - p_from).length();
 	if (space == nullptr || !(length > 0.0f)) {
@@ -119,7 +118,8 @@ ragdoll::Vec3 ObstacleSweep::find_velocity(const RID &p_body, const Vector3 &p_a
 		return {};
 	}
 	const PhysicsDirectBodyState3D *state = server->body_get_direct_state(p_body);
-	return state == nullptr ? ragdoll::Vec3() : to_core(state->get_velocity_at_local_position(p_at - state->get_transform().origin));
+	return state == nullptr ? ragdoll::Vec3()
+							: to_core(state->get_velocity_at_local_position(p_at - state->get_transform().origin));
 }
 
 } // namespace godot

@@ -67,13 +67,13 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
-	const bool lands =
-			_landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
+	const bool lands = _landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
 	// Who sits in something is in it.
 	const bool is_turned = !_frame.is_set() && _surfaces.advance(_rig, _table, obstacles, r_state);
 	_commands.must_put = lands || is_turned || _commands.must_put;
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
+	const bool was_stalled = _watch.is_stalled();
 	const bool has_come_back = _watch.advance(_stream, p_time_s) &&
 			(begins || _table.get_mode(0) != Actuation::LIMP); // Whoever lies limp stays where he lies.
 	const bool goes_on = !begins && _watch.has_resumed() && can_go_on();
@@ -98,6 +98,9 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	const bool was_put = _arrival.is_on() || _commands.guarded != GUARD_NOTHING;
 	if (was_put && finds_anew) {
 		place(r_state); // On the ground that was found, wherever the root was told to be.
+	}
+	if (_watch.is_stalled() && !was_stalled) {
+		_arrival.note_stall(_rig, r_state, _now);
 	}
 	arrive(r_state, _stream.knows_rates() || _watch.is_stalled(), p_delta_s);
 	balance(r_state, p_delta_s);
@@ -137,8 +140,7 @@ bool Driver::find_motion(RigState &r_state, double p_time_s, float p_delta_s) {
 
 bool Driver::can_go_on() const {
 	// Whoever lies is not stood up by a pause, and where feet alone move the root nothing pulls it along.
-	return !is_free(root_mode) && _table.get_mode(0) != Actuation::LIMP &&
-			(root_mode != RootMode::GROUNDED || _stood);
+	return !is_free(root_mode) && _table.get_mode(0) != Actuation::LIMP && (root_mode != RootMode::GROUNDED || _stood);
 }
 
 Vec3 Driver::find_offset() const {
@@ -381,9 +383,9 @@ bool Driver::read(ArchiveReader &p_archive) {
 	}
 	root_mode = mode;
 	_torques.clear();
-	return _arrival.restore(p_archive) && p_archive.get(_steady_offset) && p_archive.get(_stood) && _watch.restore(p_archive) && _getting_up.restore(p_archive) &&
-			_held_root.restore(p_archive) && _frame.restore(p_archive) && _surfaces.restore(p_archive) &&
-			_tether.restore(p_archive) &&
+	return _arrival.restore(p_archive) && p_archive.get(_steady_offset) && p_archive.get(_stood) &&
+			_watch.restore(p_archive) && _getting_up.restore(p_archive) && _held_root.restore(p_archive) &&
+			_frame.restore(p_archive) && _surfaces.restore(p_archive) && _tether.restore(p_archive) &&
 			_travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
 			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
 }

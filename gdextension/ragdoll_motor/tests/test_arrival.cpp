@@ -166,6 +166,22 @@ TEST(a_limp_limb_and_one_behind_a_wall_hang_on_as_they_did) {
 	}
 }
 
+TEST(a_limb_that_something_held_when_the_motion_stalled_is_not_put_into_it) {
+	const Rig rig(fixtures::limbs());
+	const ActuationTable table(fixtures::groups(), 3);
+	Arrival arrival(rig.size());
+	RigState state = fixtures::state_of(rig, motion(0.0f));
+	state.orientations[2] = exp({ 1.0f, 0.0f, 0.0f });
+	arrival.note_stall(rig, state, motion(0.0f));
+	arrival.begin_from(rig, state, motion(0.0f), {}, false, table, nullptr);
+	for (float time = 0.0f; arrival.is_on(); time += DELTA) {
+		arrival.advance(rig, motion(time), motion(time + DELTA), true, DELTA, state);
+	}
+	CHECK_NEAR(angle_between(state.orientations[1].inverse() * state.orientations[2], exp({ 1.0f, 0.0f, 0.0f })), 0.0,
+			1e-3);
+	CHECK_NEAR(angle_between(state.orientations[1], state.orientations[3]), 0.0, 1e-3);
+}
+
 TEST(who_lies_limp_is_not_stood_up_by_a_pause) {
 	Driver driver(Rig(fixtures::limbs()), fixtures::groups(), 3, {});
 	RigState state = fixtures::state_of(driver.get_rig(), motion(0.0f));

@@ -59,9 +59,7 @@ func test_who_falls_from_50_m_stays_on_a_thin_floor() -> void:
 	for i: int in 6:
 		_clear_stage()
 		_stage.add_block(Vector3(20.0, 0.1, 20.0), Vector3(0.0, -0.05, 0.0))
-		var player: Stage.Player = _stage.add_soldier(
-			HIPS + Vector3.UP, RagdollMotor.ROOT_GROUNDED
-		)
+		var player: Stage.Player = _stage.add_soldier(HIPS + Vector3.UP, RagdollMotor.ROOT_GROUNDED)
 		var axis: Vector3 = Vector3(random.randfn(), random.randfn(), random.randfn()).normalized()
 		var turn: Quaternion = Quaternion(axis, random.randf() * TAU)
 		player.pose = func(_time: float) -> PoseSample:

@@ -54,7 +54,9 @@ func note(p_step: int, p_targets: Array[Transform3D]) -> void:
 func judge(p_usual: StartBody, p_delta_s: float) -> void:
 	var around: int = roundi(_AROUND_S / p_delta_s)
 	for i: int in errors.size():
-		var usual: PackedFloat64Array = p_usual.most(first_step + i - around, first_step + i + around)
+		var usual: PackedFloat64Array = p_usual.most(
+			first_step + i - around, first_step + i + around
+		)
 		for limb: int in errors[i].size():
 			var off: float = errors[i][limb]
 			if i == 0 and off > first_deg:
@@ -71,7 +73,9 @@ func judge(p_usual: StartBody, p_delta_s: float) -> void:
 func most(p_from: int, p_to: int) -> PackedFloat64Array:
 	var result: PackedFloat64Array = errors[0].duplicate()
 	result.fill(0.0)
-	for step: int in range(maxi(p_from, first_step), mini(p_to, first_step + errors.size() - 1) + 1):
+	for step: int in range(
+		maxi(p_from, first_step), mini(p_to, first_step + errors.size() - 1) + 1
+	):
 		for limb: int in result.size():
 			result[limb] = maxf(result[limb], errors[step - first_step][limb])
 	return result

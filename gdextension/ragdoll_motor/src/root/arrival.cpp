@@ -17,7 +17,19 @@ void Arrival::begin() {
 	_time_s = 0.0f;
 	_offset = {};
 	_off = {};
-	std::fill(_limbs.begin(), _limbs.end(), Limb());
+	for (Limb &limb : _limbs) {
+		limb.off = {};
+		limb.is_held = false;
+	}
+}
+
+void Arrival::note_stall(const Rig &p_rig, const RigState &p_state, const Pose &p_now) {
+	for (std::size_t i = 1; i < _limbs.size(); i++) {
+		const std::size_t parent = std::size_t(p_rig[i].parent);
+		const Quat actual = p_state.orientations[parent].inverse() * p_state.orientations[i];
+		const Quat wanted = p_now.orientations[parent].inverse() * p_now.orientations[i];
+		_limbs[i].was_held = angle_between(actual, wanted) > HELD;
+	}
 }
 
 void Arrival::begin_from(const Rig &p_rig, const RigState &p_state, const Pose &p_now, const Vec3 &p_offset,
@@ -36,8 +48,13 @@ void Arrival::begin_from(const Rig &p_rig, const RigState &p_state, const Pose &
 		}
 		limb.held = p_state.orientations[std::size_t(parent)].inverse() * p_state.orientations[i];
 		const Vec3 to = _joints[i] + p_now.orientations[i].rotate(p_rig[i].centre) + p_offset;
-		limb.is_held = p_table.get_mode(i) == Actuation::LIMP ||
-				(_off.length() < LONG_WAY && p_obstacles != nullptr && p_obstacles->is_between(p_state.centres[i], to));
+		limb.is_held = p_table.get_mode(i) == Actuation::LIMP;
+		// Soles are at the floor, and may be in it before the hips are where they will be.
+		if (!limb.is_held && !p_rig.is_in_leg(i)) {
+			limb.is_held = limb.was_held ||
+					(_off.length() < LONG_WAY && p_obstacles != nullptr &&
+							p_obstacles->is_between(p_state.centres[i], to));
+		}
 	}
 	_off = is_far ? Vec3() : _off;
 }
@@ -51,8 +68,8 @@ void Arrival::blend(const Rig &p_rig, const Pose &p_motion, float p_left, Pose &
 	}
 }
 
-void Arrival::advance(const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_may_end, float p_delta_s,
-		RigState &r_state) {
+void Arrival::advance(
+		const Rig &p_rig, const Pose &p_now, const Pose &p_next, bool p_may_end, float p_delta_s, RigState &r_state) {
 	const float left = 1.0f - std::min(_time_s / DURATION_S, 1.0f);
 	blend(p_rig, p_now, left, _placed);
 	// With the motion's velocity alone: the rest of the way is not gone by force, so that nobody is struck.
@@ -68,6 +85,7 @@ void Arrival::save(ArchiveWriter &p_archive) const {
 		p_archive.put(limb.off);
 		p_archive.put(limb.held);
 		p_archive.put(limb.is_held);
+		p_archive.put(limb.was_held);
 	}
 	p_archive.put(_offset);
 	p_archive.put(_off);
@@ -77,7 +95,8 @@ void Arrival::save(ArchiveWriter &p_archive) const {
 
 bool Arrival::restore(ArchiveReader &p_archive) {
 	for (Limb &limb : _limbs) {
-		if (!p_archive.get(limb.off) || !p_archive.get(limb.held) || !p_archive.get(limb.is_held)) {
+		if (!p_archive.get(limb.off) || !p_archive.get(limb.held) || !p_archive.get(limb.is_held) ||
+				!p_archive.get(limb.was_held)) {
 			return false;
 		}
 	}

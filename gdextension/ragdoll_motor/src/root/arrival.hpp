@@ -25,7 +25,14 @@ public:
 	/// From this distance of the root on (m) it is put there at once: on the way it would meet others.
 	static constexpr float LONG_WAY = 0.5f;
 
+	/// A limb above the legs that was off by so much (rad, at its joint) when the motion stalled was held by something.
+	static constexpr float HELD = 0.35f;
+
 	explicit Arrival(std::size_t p_limb_count);
+
+	/// The motion stalls in this step: notes what holds the body.
+	/// @param p_now what the body was to do at the beginning of the step
+	void note_stall(const Rig &p_rig, const RigState &p_state, const Pose &p_now);
 
 	/// Begins: the body is in the motion's pose at once.
 	void begin();
@@ -54,6 +61,7 @@ private:
 		Vec3 off; // From the motion's orientation to that at the beginning, in its axes, rad.
 		Quat held; // In the parent's frame, as it was at the beginning.
 		bool is_held = false;
+		bool was_held = false; // When the motion stalled.
 	};
 
 	/// The motion's pose, with so much of what the body was off by.
