@@ -77,8 +77,8 @@ func depth(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> float:
 
 
 ## How many limbs are on the other side: the line from the limb that they hang on to their joint and
-## on to their middle goes through, or they are behind what leaves no way. (Without the joint, an arm
-## that bends round the edge of a table counts, though nothing of it is in there.)
+## on to their middle goes through, or they are behind what leaves no way. Without the joint, an arm
+## that bends round a table's edge would count, though nothing of it is in there.
 func tunnelled(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> int:
 	var found: int = 0
 	for limb: int in p_person.count:
