@@ -72,12 +72,16 @@ func _tell(p_case: String, p_bodies: Array[StartBody]) -> void:
 	for is_pause: bool in [false, true]:
 		var firsts: PackedFloat64Array = PackedFloat64Array()
 		var usual: float = 0.0
+		var usually_off: int = 0
+		var off: int = 0
 		var thrown: int = 0
 		var worst: float = 0.0
 		for body: StartBody in p_bodies:
 			if is_finite(body.stops_s) == is_pause:
 				firsts.append(body.first_deg)
 				usual = maxf(usual, body.usual_deg)
+				off += 1 if body.first_deg > StartBody.LIMIT_DEG else 0
+				usually_off += 1 if body.usual_deg > StartBody.LIMIT_DEG else 0
 				thrown += 1 if body.later_deg > _BECAUSE_DEG else 0
 				worst = maxf(worst, body.later_deg)
 		if firsts.is_empty():
@@ -88,5 +92,7 @@ func _tell(p_case: String, p_bodies: Array[StartBody]) -> void:
 		report.add(case, "worst limb after 0.1 s, median", firsts[firsts.size() / 2], "deg")
 		report.add(case, "worst limb after 0.1 s", firsts[firsts.size() - 1], "deg")
 		report.add(case, "the same of who never paused", usual, "deg")
+		report.add(case, "a limb off by 8 deg after 0.1 s", off, "")
+		report.add(case, "the same of who never paused (cases)", usually_off, "")
 		report.add(case, "beyond that, where off by 8 deg", worst, "deg")
 		report.at_most(case, "throw a limb", thrown, "", 0.0)
