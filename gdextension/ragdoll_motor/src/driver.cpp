@@ -192,7 +192,8 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	}
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
 	if (is_grounded) {
-		ease_limbs(_rig, _balance, p_state, _now, _next, p_delta_s, _commands.limbs);
+		ease_limbs(_rig, _controller.get_inertia(), p_state, _now, _next, _balance.get_ease(),
+				_balance.settings.ease_frequency, p_delta_s, _commands.limbs);
 	}
 }
 

@@ -285,12 +285,6 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	find_deceleration(p_rig);
 }
 
-float Balance::get_stiffness(float p_error, bool p_returns) const {
-	const float part = std::min(p_error / settings.stiff_from, 1.0f);
-	const float left = 1.0f - _ease * (1.0f - settings.ease) * (1.0f - part);
-	return std::min(left * (p_returns ? settings.come_back : 1.0f), 1.0f);
-}
-
 void Balance::find_deceleration(const Rig &p_rig) {
 	const float lever = std::max(_height, MIN_HEIGHT);
 	_deceleration = settings.braking * _torque / (p_rig.get_mass() * lever * lever);

@@ -29,13 +29,10 @@ struct BalanceSettings {
 	/// How eagerly the pose of somebody who has stood for some time is corrected: with 1 a stiff body shakes
 	/// over stiff ankles (4.6 deg/s; 0.003 with 0.4).
 	float standing_eagerness = 0.4f;
-	/// What is left of the joints' torque above the legs of somebody who has stood for some time as long as the
-	/// pose holds, from which error on it is all there, rad, and how much more there is on the way back. What
-	/// the pose needs comes from the feed-forward. With 0.7 rad a ball of 5 kg at 10 m/s turns the trunk by 8
-	/// to 11 deg, with 0.4 by 6 to 8, without by 3.
-	float ease = 0.01f;
-	float stiff_from = 0.7f;
-	float come_back = 5.0f;
+	/// The joints above the legs of somebody who has stood for some time swing with this frequency, Hz, see
+	/// ease_limbs(). A ball of 5 kg at 10 m/s turns the trunk by 11 to 14 deg with 1.3, by 9 to 12 with 1.5 (back
+	/// within 2 deg after 0.5 to 0.6 s), by 6 to 9 with 2.
+	float ease_frequency = 1.5f;
 	/// The part of the torque that may brake a body that swings back; gravity and inertia take the rest
 	/// (0.25 to 1; without it the body swings to and fro over its feet).
 	float braking = 0.5f;
@@ -125,10 +122,8 @@ public:
 	const Recovery &get_recovery() const { return _recovery; }
 	/// Greatest torque at the hips in this step, N m.
 	float get_torque() const { return _torque; }
-	/// What is left of the torque of a joint above the legs whose limb is off by p_error (rad): who stands at
-	/// ease gives way to a blow before he stiffens.
-	/// @param p_returns whether the limb is on its way back
-	float get_stiffness(float p_error, bool p_returns) const;
+	/// How much at ease somebody stands, 0 to 1: the limbs above the legs give way then.
+	float get_ease() const { return _ease; }
 	/// What corrections of the pose are multiplied by.
 	float get_eagerness() const { return _eagerness; }
 	/// How fast that torque can brake the whole body as it turns about its feet, rad/s^2.
