@@ -122,6 +122,21 @@ def test_bench_contacts_plays_its_scenes() -> None:
     assert run("bench", "contacts", "--set", "nonsense=1").returncode == 2
 
 
+def test_bench_starts_and_drops() -> None:
+    command = ["bench", "starts", "--json", "--no-goals", "--bvh", "01_01.bvh", "--root", "soft"]
+    done = run(*command, "--hz", "60", "--buffer", "1")
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    worst = [row["value"] for row in rows if row["metric"] == "worst limb after 0.1 s"]
+    assert len(worst) == 2  # Who begins, and who goes on after a pause.
+    assert max(worst) < 8.0
+    done = run("bench", "drops", "--json", "--no-goals", "--bvh", "01_01.bvh", "--count", "2")
+    assert done.returncode == 0, done.stderr
+    rows = [json.loads(line) for line in done.stdout.splitlines()]
+    through = [row["value"] for row in rows if row["metric"] == "limbs in or under the floor"]
+    assert through == [0.0, 0.0]
+
+
 def test_bench_scale() -> None:
     done = run(
         "bench", "scale", "--json", "--no-goals", "--people", "1", "--people", "2", "--seconds", "1"

@@ -26,7 +26,7 @@ DrivenRagdoll::DrivenRagdoll(Node *p_owner, RagdollPlan p_plan, const MotorSetti
 		_driver(make_rig(_plan, p_settings), _plan.get_limb_groups(), _plan.get_group_count(), _plan.get_contacts()) {
 	_driver.righted_limb = _plan.get_righted_limb();
 	_driver.obstacles = &_obstacles;
-	_obstacles.attach(_plan.get_bodies());
+	_obstacles.attach(_plan.get_bodies(), p_space);
 	_state.resize(_plan.get_segments().size());
 	apply(p_settings);
 	_bodies.make(_driver.get_rig(), _plan.get_specs(), p_space);

@@ -5,6 +5,8 @@
 
 #include <convert.hpp>
 
+#include <godot_cpp/classes/physics_direct_body_state3d.hpp>
+#include <godot_cpp/classes/physics_direct_space_state3d.hpp>
 #include <godot_cpp/classes/physics_server3d.hpp>
 
 namespace godot {
@@ -30,8 +32,10 @@ bool ObstacleSweep::stands_firm(const RID &p_body) const {
 	return double(server->body_get_param(p_body, PhysicsServer3D::BODY_PARAM_MASS)) >= GroundRays::HEAVY;
 }
 
-void ObstacleSweep::attach(const std::vector<RID> &p_bodies) {
+void ObstacleSweep::attach(const std::vector<RID> &p_bodies, const RID &p_space) {
 	_bodies = p_bodies;
+	_space = p_space;
+	_ray.instantiate();
 	_parameters.instantiate();
 	_result.instantiate();
 	_own = TypedArray<RID>();
@@ -39,6 +43,7 @@ void ObstacleSweep::attach(const std::vector<RID> &p_bodies) {
 		_own.push_back(body);
 	}
 	_parameters->set_exclude_bodies(_own);
+	_ray->set_exclude(_own);
 	_parameters->set_margin(MARGIN);
 	_parameters->set_max_collisions(MAX_COLLISIONS);
 }
@@ -69,6 +74,52 @@ bool ObstacleSweep::is_in_way(std::size_t p_limb, const ragdoll::Quat &p_orienta
 		_parameters->set_exclude_bodies(_own);
 	}
 	return is_met;
+}
+
+bool ObstacleSweep::find_between(const ragdoll::Vec3 &p_from, const ragdoll::Vec3 &p_to, ragdoll::Hit &r_hit) const {
+	PhysicsDirectSpaceState3D *space = PhysicsServer3D::get_singleton()->space_get_direct_state(_space);
+	const float length = (p_to - p_from).length();
+	if (space == nullptr || !(length > 0.0f)) {
+		return false;
+	}
+	_ray->set_from(from_core(p_from));
+	_ray->set_to(from_core(p_to));
+	_ray->set_collision_mask(_mask);
+	TypedArray<RID> passed;
+	bool is_met = false;
+	for (int ray = 0; ray < MAX_SWEEPS; ray++) {
+		const Dictionary found = space->intersect_ray(_ray);
+		if (found.is_empty()) {
+			break;
+		}
+		const RID body = found["rid"];
+		if (stands_firm(body)) {
+			const Vector3 at = found["position"];
+			r_hit.share = (to_core(at) - p_from).length() / length;
+			r_hit.normal = to_core(Vector3(found["normal"]));
+			r_hit.velocity = find_velocity(body, at);
+			is_met = true;
+			break;
+		}
+		// What gives way may hide what does not.
+		passed = passed.is_empty() ? TypedArray<RID>(_own.duplicate()) : passed;
+		passed.push_back(body);
+		_ray->set_exclude(passed);
+	}
+	if (!passed.is_empty()) {
+		_ray->set_exclude(_own); // Only then: the engine takes 16 of them apart each time.
+	}
+	return is_met;
+}
+
+ragdoll::Vec3 ObstacleSweep::find_velocity(const RID &p_body, const Vector3 &p_at) {
+	PhysicsServer3D *server = PhysicsServer3D::get_singleton();
+	if (server->body_get_mode(p_body) == PhysicsServer3D::BODY_MODE_STATIC) {
+		return {};
+	}
+	const PhysicsDirectBodyState3D *state = server->body_get_direct_state(p_body);
+	return state == nullptr ? ragdoll::Vec3()
+							: to_core(state->get_velocity_at_local_position(p_at - state->get_transform().origin));
 }
 
 } // namespace godot

@@ -35,6 +35,8 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_travel(_rig, p_contacts, make_travel),
 		_balance(_rig, p_contacts),
 		_torques(_rig.size()),
+		_arrival(_rig.size()),
+		_surfaces(_rig),
 		_errors(_rig.size(), 0.0f) {
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
@@ -65,39 +67,45 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_commands.guarded = _guard.check(_rig, r_state);
 	_commands.must_put = _commands.guarded != GUARD_NOTHING;
 	const bool is_seated = find_motion(r_state, p_time_s, p_delta_s);
+	const bool lands = _landing.advance(_rig, obstacles, _frame.get_way(r_state.root), p_delta_s, r_state);
+	// Who sits in something is in it.
+	const bool is_turned = !_frame.is_set() && _surfaces.advance(_rig, _table, obstacles, r_state);
+	_commands.must_put = lands || is_turned || _commands.must_put;
 	const bool begins = !_watch.has_begun();
 	const bool is_teleported = _stream.take_teleport() && is_pulled();
-	const bool has_come_back = _watch.advance(_stream, p_time_s);
+	const bool was_stalled = _watch.is_stalled();
+	const bool has_come_back = _watch.advance(_stream, p_time_s) &&
+			(begins || _table.get_mode(0) != Actuation::LIMP); // Whoever lies limp stays where he lies.
+	const bool goes_on = !begins && _watch.has_resumed() && can_go_on();
 	if (is_seated) {
 		_frame.move(_now);
 	}
 	bool finds_anew = finds_travel(root_mode) && _travel.get_mode() != root_mode;
-	bool is_arriving = false;
 	const bool must_jump =
-			hold_back(r_state, begins || is_seated, has_come_back || is_teleported || is_seated, p_delta_s);
+			hold_back(r_state, begins || is_seated, has_come_back || is_teleported || is_seated, goes_on, p_delta_s);
 	if (must_jump || (_commands.guarded & GUARD_LOST) != 0) {
 		put_into_pose(r_state);
 		_commands.must_put = true;
 		finds_anew = finds_travel(root_mode);
-		_arrival_s = needs_ground(root_mode) ? ARRIVAL_S : 0.0f;
-	} else if (_arrival_s > 0.0f) {
-		// How fast the motion is only its next samples tell; feet alone could not take the body along.
-		_arrival_s -= p_delta_s;
-		is_arriving = true;
-		_commands.must_put = true;
+		_arrival.begin();
+	}
+	if (goes_on && !must_jump) {
+		go_on(r_state);
+		finds_anew = finds_travel(root_mode);
 	}
 	travel(r_state, p_delta_s);
 	// Who is only carried along by what turns keeps the pose and the speed that he has.
-	const bool was_put = must_jump || _commands.guarded != GUARD_NOTHING;
-	if (is_arriving || (was_put && finds_anew)) {
+	const bool was_put = _arrival.is_on() || _commands.guarded != GUARD_NOTHING;
+	if (was_put && finds_anew) {
 		place(r_state); // On the ground that was found, wherever the root was told to be.
 	}
-	if (is_arriving) {
-		set_in_motion(_rig, _now, _next, p_delta_s, _joints, r_state);
+	if (_watch.is_stalled() && !was_stalled) {
+		_arrival.note_stall(_rig, r_state, _now);
 	}
+	arrive(r_state, _stream.knows_rates() || _watch.is_stalled(), p_delta_s);
 	balance(r_state, p_delta_s);
 	const bool is_stalled = p_time_s - _stream.newest() > LET_GO_AFTER;
-	_table.set_overall(is_stalled ? STALLED_STRENGTH : 1.0f, LET_GO_S);
+	_table.set_overall(is_stalled ? STALLED_STRENGTH : 1.0f, _arrival.is_on() ? 0.0f : LET_GO_S);
 	_table.advance(p_delta_s);
 	compute_limbs(r_state, p_delta_s);
 	_pushes.advance(_rig, r_state, _now, _next, p_delta_s, _commands.limbs, _commands.pushes);
@@ -122,24 +130,52 @@ bool Driver::find_motion(RigState &r_state, double p_time_s, float p_delta_s) {
 		_commands.must_put = true;
 	}
 	_stream.predict(p_time_s, _now);
-	_stream.predict(p_time_s + double(p_delta_s), _next);
+	// A pose that comes after a pause is not the end of a step that begins within that.
+	_stream.predict(_stream.is_stalled(p_time_s) ? p_time_s : p_time_s + double(p_delta_s), _next);
 	_frame.apply(_now, _next);
 	// Whoever moves the frame at once means it: a seat is taken whatever is between.
 	const float carried = _frame.get_way(_now.root).length();
 	return carried > PoseStream::TELEPORT_DISTANCE && carried > PoseStream::FASTEST_ROOT * p_delta_s && is_pulled();
 }
 
-bool Driver::hold_back(const RigState &p_state, bool p_begins, bool p_jumps, float p_delta_s) {
+bool Driver::can_go_on() const {
+	// Whoever lies is not stood up by a pause, and where feet alone move the root nothing pulls it along.
+	return !is_free(root_mode) && _table.get_mode(0) != Actuation::LIMP && (root_mode != RootMode::GROUNDED || _stood);
+}
+
+Vec3 Driver::find_offset() const {
+	return root_mode == RootMode::GROUNDED ? _steady_offset : Vec3();
+}
+
+void Driver::go_on(RigState &r_state) {
+	const bool finds = finds_travel(root_mode);
+	_now.root = finds ? r_state.root : _now.root;
+	_arrival.begin_from(_rig, r_state, _now, find_offset(), finds, _table, obstacles);
+	if (finds) {
+		place(r_state);
+	}
+}
+
+void Driver::arrive(RigState &r_state, bool p_may_end, float p_delta_s) {
+	if (_arrival.is_on()) {
+		forget();
+		_arrival.advance(_rig, _now, _next, p_may_end, p_delta_s, r_state);
+		_commands.must_put = true;
+	}
+}
+
+bool Driver::hold_back(const RigState &p_state, bool p_begins, bool p_jumps, bool p_goes_on, float p_delta_s) {
 	const bool goes_on = _travel.get_mode() == root_mode;
-	const Vec3 motion = _now.root - p_state.root;
+	const Vec3 motion = _now.root - p_state.root + (p_jumps ? Vec3() : find_offset());
 	// Where the travel is found, the motion's own root means nothing in the world.
-	const bool is_stopped = p_jumps && !p_begins && !finds_travel(root_mode) && motion.length() > SHORT_JUMP &&
-			blocks_root(obstacles, p_state, motion);
+	const bool is_stopped = (p_jumps || p_goes_on) && !p_begins && !finds_travel(root_mode) &&
+			motion.length() > SHORT_JUMP && blocks_root(obstacles, p_state, motion);
 	if (p_begins || p_jumps || !goes_on || !is_tethered(root_mode)) {
 		_tether.clear();
 	}
 	if (is_stopped && root_mode == RootMode::GROUNDED) {
 		_balance.shift(level(_travel.get_target() - _now.root));
+		_steady_offset = _balance.get_offset();
 	} else if (is_stopped) {
 		_tether.set(p_state.root - _now.root);
 	} else if (!p_jumps && is_tethered(root_mode) && goes_on && _table.get_mode(0) != Actuation::LIMP) {
@@ -178,6 +214,10 @@ void Driver::balance(const RigState &p_state, float p_delta_s) {
 	input.delta_s = p_delta_s;
 	input.gravity = std::max(-p_state.gravity.y, 0.0f);
 	_balance.advance(_rig, input, _now, _next);
+	if (!_watch.is_stalled()) {
+		_steady_offset = _balance.get_offset();
+		_stood = _balance.get_recovery().get_phase() == Recovery::Phase::NONE;
+	}
 	_controller.settings.root_deceleration = _balance.get_deceleration();
 }
 
@@ -247,6 +287,10 @@ void Driver::put_into_pose(RigState &r_state) {
 
 void Driver::place(RigState &r_state) {
 	place_at_rest(_rig, _now, _joints, r_state);
+	forget();
+}
+
+void Driver::forget() {
 	_controller.reset();
 	_pushes.clear();
 	_balance.clear();
@@ -302,11 +346,14 @@ void Driver::measure(double p_time_s, const RigState &p_state) {
 void Driver::save(ArchiveWriter &p_archive) const {
 	p_archive.put(find_fingerprint(_rig, _contacts));
 	p_archive.put(root_mode);
-	p_archive.put(_arrival_s);
+	_arrival.save(p_archive);
+	p_archive.put(_steady_offset);
+	p_archive.put(_stood);
 	_watch.save(p_archive);
 	_getting_up.save(p_archive);
 	_held_root.save(p_archive);
 	_frame.save(p_archive);
+	_surfaces.save(p_archive);
 	_tether.save(p_archive);
 	_travel.save(p_archive);
 	_balance.save(p_archive);
@@ -337,8 +384,9 @@ bool Driver::read(ArchiveReader &p_archive) {
 	}
 	root_mode = mode;
 	_torques.clear();
-	return p_archive.get(_arrival_s) && _watch.restore(p_archive) && _getting_up.restore(p_archive) &&
-			_held_root.restore(p_archive) && _frame.restore(p_archive) && _tether.restore(p_archive) &&
+	return _arrival.restore(p_archive) && p_archive.get(_steady_offset) && p_archive.get(_stood) &&
+			_watch.restore(p_archive) && _getting_up.restore(p_archive) && _held_root.restore(p_archive) &&
+			_frame.restore(p_archive) && _surfaces.restore(p_archive) && _tether.restore(p_archive) &&
 			_travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
 			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
 }

@@ -9,10 +9,13 @@
 #include "joint/torque_meter.hpp"
 #include "motion/stream_watch.hpp"
 #include "motion/tracking_meter.hpp"
+#include "root/arrival.hpp"
 #include "root/carried_frame.hpp"
 #include "root/getting_up.hpp"
 #include "root/held_root.hpp"
+#include "root/landing.hpp"
 #include "root/root_drive.hpp"
+#include "root/surface_guard.hpp"
 #include "root/tether.hpp"
 #include "world/obstacles.hpp"
 
@@ -50,9 +53,6 @@ public:
 	static constexpr float STALLED_STRENGTH = 0.3f;
 	/// How long it takes to sink, and to come back, s.
 	static constexpr float LET_GO_S = 0.25f;
-	/// In the modes in which feet carry the body or say where it is, a body that begins is put into the motion's
-	/// pose for so long, s, until it moves as the motion does.
-	static constexpr float ARRIVAL_S = 0.06f;
 	/// Modes that find the travel: corrections are lowered by this part where the motion is nothing but noise.
 	static constexpr float CALMED = 0.75f;
 	/// A jump that is shorter than this (m) cannot go through anything: nothing is looked for in its way.
@@ -142,7 +142,17 @@ private:
 	/// put into the motion's pose.
 	/// @param p_begins whether the motion begins, wherever that may be
 	/// @param p_jumps whether the motion is elsewhere at once
-	bool hold_back(const RigState &p_state, bool p_begins, bool p_jumps, float p_delta_s);
+	/// @param p_goes_on whether it goes on after a short pause, maybe elsewhere
+	bool hold_back(const RigState &p_state, bool p_begins, bool p_jumps, bool p_goes_on, float p_delta_s);
+	/// Whether a body is brought back to a motion that goes on after a short pause.
+	bool can_go_on() const;
+	/// From where the motion has the root to where the body that goes on will have it, m.
+	Vec3 find_offset() const;
+	/// Begins to bring the body back to a motion that goes on.
+	void go_on(RigState &r_state);
+	/// Brings the body into the motion, as long as it takes.
+	/// @param p_may_end whether the motion's velocity is known, or will not come any more
+	void arrive(RigState &r_state, bool p_may_end, float p_delta_s);
 	void travel(const RigState &p_state, float p_delta_s);
 	void balance(const RigState &p_state, float p_delta_s);
 	void compute_limbs(const RigState &p_state, float p_delta_s);
@@ -151,6 +161,8 @@ private:
 	void put_into_pose(RigState &r_state);
 	/// Puts the bodies into the pose of the step's beginning, at rest.
 	void place(RigState &r_state);
+	/// What was known of the bodies' past counts no more.
+	void forget();
 
 	Rig _rig;
 	std::vector<ContactPoint> _contacts;
@@ -166,13 +178,17 @@ private:
 	HeldRoot _held_root; // HELD.
 	GettingUp _getting_up;
 	EnergyGuard _guard;
+	Landing _landing;
+	SurfaceGuard _surfaces;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
 	FlatGround _level_ground;
 	StepCommands _commands;
 	Pose _now; // The motion at the beginning of the step ...
 	Pose _next; // ... and at its end.
-	float _arrival_s = 0.0f; // How much longer the body is put into the motion's pose.
+	Arrival _arrival;
+	Vec3 _steady_offset; // GROUNDED: the tether before the motion stalled, m, ...
+	bool _stood = true; // ... and whether the body was on its feet.
 	// Kept between steps, so that a step allocates nothing.
 	std::vector<Vec3> _joints;
 	std::vector<Quat> _measured;

@@ -253,9 +253,14 @@ TEST(controls_are_part_of_the_saved_state) {
 	pose.orientations.assign(4, Quat());
 	RigState state = fixtures::state_of(other.get_rig(), pose);
 	CHECK(other.push(0.0, STILL, {}, nullptr));
-	other.step(state, 0.0, DELTA); // Puts the body into the motion's pose.
+	CHECK(other.push(double(DELTA), STILL, {}, nullptr));
+	int steps = 0;
+	// Puts the body into the motion's pose.
+	while (other.step(state, double(DELTA) * steps, DELTA).must_put && steps < 100) {
+		steps++;
+	}
 	state.centres[3].x += 0.1f;
-	CHECK(other.step(state, double(DELTA), DELTA).pushes[3].force.length() > 0.0f);
+	CHECK(other.step(state, double(DELTA) * (steps + 1), DELTA).pushes[3].force.length() > 0.0f);
 }
 
 } // namespace test_control

@@ -139,7 +139,10 @@ TEST(another_clock_may_begin_earlier_or_later) {
 		CHECK_NEAR(state.root.x, 3.0, 1e-6);
 		driver.measure(begin + 0.01, state);
 		CHECK(driver.push(begin + 0.02, STILL, { 3.0f, 0.0f, 0.0f }, nullptr));
-		CHECK(!driver.step(state, begin + 0.02, 0.01f).must_put);
+		for (int i = 0; i < 12; i++) {
+			driver.step(state, begin + 0.02 + 0.01 * i, 0.01f);
+		}
+		CHECK(!driver.step(state, begin + 0.02 + 2.0 * double(Arrival::DURATION_S), 0.01f).must_put);
 		CHECK(driver.get_meter().get_count() == 4);
 	}
 }

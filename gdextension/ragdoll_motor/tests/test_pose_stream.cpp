@@ -220,6 +220,42 @@ TEST(a_gap_gives_no_velocity) {
 	CHECK_NEAR(angle_at(stream, 5.02), 2.0, 1e-6);
 }
 
+TEST(a_pose_that_ends_a_pause_is_not_shown_before_its_time) {
+	PoseStream stream(1);
+	push(stream, 0.0, 0.0f);
+	push(stream, 0.02, 0.0f);
+	push(stream, 3.0, 1.0f);
+	push(stream, 3.02, 1.0f);
+	CHECK(!stream.is_stalled(0.1));
+	CHECK(stream.is_stalled(1.0) && stream.is_stalled(2.995));
+	CHECK_NEAR(angle_at(stream, 2.995), 0.0, 1e-6);
+	// A clock that is a little behind shows what is there already.
+	CHECK(!stream.is_stalled(3.0 - 1e-9) && !stream.is_stalled(3.01));
+	CHECK_NEAR(angle_at(stream, 3.0 - 1e-9), 1.0, 1e-5);
+}
+
+TEST(the_first_samples_tell_velocity_and_acceleration_and_a_pause_forgets_no_habit) {
+	PoseStream stream(1);
+	const auto angle = [](double p_time_s) { return float(10.0 * (p_time_s - 0.9) * (p_time_s - 0.9)); };
+	push(stream, 1.0, angle(1.0));
+	CHECK(!stream.knows_rates());
+	push(stream, 1.02, angle(1.02));
+	CHECK(stream.knows_rates());
+	push(stream, 1.04, angle(1.04));
+	// Gone on with at the last rate it would be this far behind; a quarter of the change is believed at first.
+	const double ahead = PoseStream::RATE_FADE * (1.0 - std::exp(-0.02 / PoseStream::RATE_FADE));
+	const double behind = double(angle(1.06) - angle(1.04)) - double(angle(1.04) - angle(1.02)) / 0.02 * ahead;
+	const float first = angle(1.06) - angle_at(stream, 1.06);
+	CHECK(first > 0.0f && double(first) < behind - 0.001);
+	for (int i = 3; i < 22; i++) {
+		push(stream, 1.0 + 0.02 * i, angle(1.0 + 0.02 * i));
+	}
+	for (int i = 0; i < 3; i++) {
+		push(stream, 5.0 + 0.02 * i, angle(1.0 + 0.02 * i));
+	}
+	CHECK(std::fabs(angle(1.06) - angle_at(stream, 5.06)) < first - 0.002f);
+}
+
 TEST(refuses_what_is_no_pose) {
 	PoseStream stream(1);
 	const float nan = std::numeric_limits<float>::quiet_NaN();

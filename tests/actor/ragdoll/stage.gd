@@ -124,10 +124,15 @@ func run(p_steps: int, p_after: Callable = Callable()) -> void:
 
 ## A floor at height 0.
 func add_floor() -> void:
-	var ground: Block = Block.new()
-	ground.size = Vector3(20.0, 1.0, 20.0)
-	ground.position.y = -0.5
-	add_child(ground)
+	add_block(Vector3(20.0, 1.0, 20.0), Vector3(0.0, -0.5, 0.0))
+
+
+## A fixed box of a size, m, about a place.
+func add_block(p_size: Vector3, p_place: Vector3) -> void:
+	var block: Block = Block.new()
+	block.size = p_size
+	block.position = p_place
+	add_child(block)
 
 
 ## The reset pose, with some limbs turned.

@@ -20,6 +20,8 @@ var _leaf_way: Vector3 = Vector3.ZERO
 var _closed: float = 0.0
 var _blocks_all: bool = true
 var _plane: Plane = Plane()
+## Whether somebody was through the door before it had closed.
+var _has_passed: bool = false
 
 
 ## Puts one of [constant KINDS] across a level direction at a distance from the origin of it, m. A
@@ -55,6 +57,8 @@ func _init(
 
 ## Moves the door's leaf in a step; it begins to close when somebody is about to be in it.
 func advance(p_hips: Vector3, p_delta_s: float) -> void:
+	if _leaf != null and _closed < 1.0 and _plane.distance_to(p_hips) < -_THICKNESS:
+		_has_passed = true
 	if _leaf != null and (_closed > 0.0 or _plane.distance_to(p_hips) < 1.6) and _closed < 1.0:
 		var part: float = minf(p_delta_s / _CLOSING_S, 1.0 - _closed)
 		_leaf.position += _leaf_way * part
@@ -72,8 +76,9 @@ func depth(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> float:
 	return deepest
 
 
-## How many limbs are on the other side: their line to the limb that they hang on goes through, or
-## they are behind what leaves no way.
+## How many limbs are on the other side: the line from the limb that they hang on to their joint and
+## on to their middle goes through, or they are behind what leaves no way. Without the joint, an arm
+## that bends round a table's edge would count, though nothing of it is in there.
 func tunnelled(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> int:
 	var found: int = 0
 	for limb: int in p_person.count:
@@ -83,14 +88,16 @@ func tunnelled(p_person: ContactPerson, p_bodies: Array[Transform3D]) -> int:
 		for i: int in _bodies.size():
 			var back: Transform3D = _bodies[i].global_transform.affine_inverse()
 			var box: AABB = AABB(-_sizes[i] / 2.0, _sizes[i])
-			var hit: Variant = box.intersects_segment(back * from, back * p_bodies[limb].origin)
-			is_through = is_through or (hit != null and parent != limb)
+			var joint: Vector3 = back * p_person.joint(limb, p_bodies)
+			for end: Vector3 in [back * from, back * p_bodies[limb].origin]:
+				var hit: Variant = box.intersects_segment(joint, end)
+				is_through = is_through or (hit != null and parent != limb)
 		found += 1 if is_through else 0
 	return found
 
 
 func _is_behind(p_at: Vector3) -> bool:
-	if not _blocks_all or (_leaf != null and _closed < 1.0):
+	if not _blocks_all or _has_passed or (_leaf != null and _closed < 1.0):
 		return false
 	for i: int in _bodies.size():
 		var local: Vector3 = _bodies[i].global_transform.affine_inverse() * p_at

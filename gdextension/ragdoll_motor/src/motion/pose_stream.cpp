@@ -142,16 +142,27 @@ void PoseStream::foresee(Sample &r_sample) {
 			const Vec3 turned = log(at(0).orientations[i].inverse() * r_sample.orientations[i]);
 			_turns[i].advance(turned * (1.0f / float(span)), r_sample.rates[i], float(span));
 		} else {
-			_turns[i].begin(r_sample.rates[i]);
+			begin(_turns[i], r_sample.rates[i], r_sample.knows_rates);
 		}
 		r_sample.turn_changes[i] = _turns[i].get_change() * calmness;
 	}
 	if (follows) {
 		_path.advance((r_sample.root - at(0).root) * (1.0f / float(span)), r_sample.root_rate, float(span));
 	} else {
-		_path.begin(r_sample.root_rate);
+		begin(_path, r_sample.root_rate, false);
 	}
 	r_sample.root_change = _path.get_change();
+}
+
+void PoseStream::begin(RatePredictor &r_predictor, const Vec3 &p_rate, bool p_knows_rate) const {
+	if (_count == 0) {
+		r_predictor.begin();
+	} else {
+		r_predictor.pause();
+	}
+	if (p_knows_rate) {
+		r_predictor.set_rate(p_rate);
+	}
 }
 
 float PoseStream::forgetting(double p_span_s) const {
@@ -181,16 +192,34 @@ void PoseStream::recall(double p_time_s, Pose &r_pose) const {
 	interpolate(std::min(p_time_s, newest()), &Sample::sampled, r_pose);
 }
 
-void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
-	std::size_t age = 0; // Of the later of the two samples that the time lies between.
+std::size_t PoseStream::find_after(double p_time_s) const {
+	std::size_t age = 0;
 	while (age + 2 < _count && at(age + 1).time_s > p_time_s) {
 		age++;
 	}
+	return age;
+}
+
+bool PoseStream::is_stalled(double p_time_s) const {
+	if (is_empty() || p_time_s - newest() > STALL_AFTER) {
+		return true;
+	}
+	const std::size_t age = find_after(p_time_s);
+	if (age + 1 >= _count) {
+		return false;
+	}
+	const double before = at(age + 1).time_s;
+	const double after = at(age).time_s;
+	return after - before > MAX_GAP && p_time_s - before > STALL_AFTER && p_time_s < after - SAME_TIME;
+}
+
+void PoseStream::interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const {
+	const std::size_t age = find_after(p_time_s);
 	const Sample &after = at(age);
 	const Sample &before = at(std::min(age + 1, _count - 1));
 	const double span = after.time_s - before.time_s;
 	if (span <= 0.0 || span > MAX_GAP) {
-		const Sample &held = p_time_s < after.time_s ? before : after;
+		const Sample &held = p_time_s < after.time_s - SAME_TIME ? before : after;
 		r_pose.orientations = held.*p_which;
 		r_pose.root = held.root;
 		return;

@@ -40,6 +40,8 @@ public:
 	static constexpr float TELEPORT_DISTANCE = 0.5f;
 	static constexpr float FASTEST_ROOT = 20.0f;
 
+	/// Times that differ by no more than this are the same, s: clocks count in microseconds.
+	static constexpr double SAME_TIME = 2e-6;
 	/// A gyroscope's rate above this (rad/s) is wrong: the sample's rates are estimated instead.
 	static constexpr float FASTEST_GYRO = 100.0f;
 	/// A change of rate below this says nothing about the next change: of a limb (rad/s), of the root (m/s).
@@ -70,7 +72,11 @@ public:
 	/// Time of the newest and the oldest sample that is kept, s.
 	double newest() const { return at(0).time_s; }
 	double oldest() const { return at(_count - 1).time_s; }
-	bool is_stalled(double p_time_s) const { return is_empty() || p_time_s - newest() > STALL_AFTER; }
+	/// Whether nothing is known of a time: the newest sample is too old, or it is the first one after a pause that
+	/// the time lies in.
+	bool is_stalled(double p_time_s) const;
+	/// Whether the newest sample tells velocities: one before it, or a gyroscope's.
+	bool knows_rates() const { return !is_empty() && (at(0).span_s > 0.0 || at(0).knows_rates); }
 	/// Whether the root has been put elsewhere since the last call.
 	bool take_teleport();
 
@@ -104,9 +110,13 @@ private:
 	bool comes_late(double p_time_s);
 	void estimate_rates(const Sample &p_before, Sample &r_sample) const;
 	void foresee(Sample &r_sample);
+	/// How many samples are newer than the one that ends the span in which a time lies.
+	std::size_t find_after(double p_time_s) const;
 	void interpolate(double p_time_s, std::vector<Quat> Sample::*p_which, Pose &r_pose) const;
 	void extrapolate(double p_age_s, Pose &r_pose) const;
 
+	/// Begins a predictor with the first sample, or with the first one after a pause.
+	void begin(RatePredictor &r_predictor, const Vec3 &p_rate, bool p_knows_rate) const;
 	float forgetting(double p_span_s) const;
 
 	std::size_t _limb_count;

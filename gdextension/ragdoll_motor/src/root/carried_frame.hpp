@@ -26,6 +26,8 @@ public:
 	/// Sets where the frame is at the end of the next step. Until it is set again, it moves with what the person
 	/// stands on.
 	void set(const Quat &p_orientation, const Vec3 &p_origin);
+	/// Whether somebody sets it: since the last step.
+	bool is_set() const { return _is_set; }
 	/// A new motion begins in the frame that is set.
 	void restart() { _now = _next; }
 	/// Begins a step: finds how the frame moves in it.
