@@ -34,9 +34,9 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_pushes(_rig),
 		_travel(_rig, p_contacts, make_travel),
 		_balance(_rig, p_contacts),
+		_surfaces(_rig),
 		_torques(_rig.size()),
 		_arrival(_rig.size()),
-		_surfaces(_rig),
 		_errors(_rig.size(), 0.0f) {
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
