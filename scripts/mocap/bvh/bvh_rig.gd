@@ -36,7 +36,9 @@ static func from_clip(p_clip: BvhClip) -> BvhRig:
 	rig.map = HumanoidMap.from_clip(p_clip)
 	rig.error = rig.map.error
 	if rig.error == "":
-		var fault: String = BvhAnatomy.new(p_clip, rig.map).find_fault()
+		var fault: String = BvhNoise.find_fault(p_clip, rig.map)
+		if fault == "":
+			fault = BvhAnatomy.new(p_clip, rig.map).find_fault()
 		rig.error = "" if fault == "" else "%s: %s" % [p_clip.source_name, fault]
 	if rig.error == "" and p_clip.frame_count == 0:
 		rig.error = "%s: the clip has no frames" % p_clip.source_name
