@@ -15,9 +15,10 @@ const PAIR: float = 0.15
 const LONG: float = 0.4
 ## Most bend of a limb made of several bones (twist helpers) over nine tenths of the poses, deg.
 const STRAIGHT_DEG: float = 20.0
-## What a bone more in a limb costs, as a share of the chain, and an end site: a stiff hand is no
-## part of the forearm.
+## What a bone more in a limb costs, as a share of the chain: a stiff hand is no part of the forearm.
 const _BONE: float = 0.2
+## What a limb costs that reaches to the end of the chain, where a hand or foot should be.
+const _END_SITE: float = 0.5
 ## What it costs a limb to point sideways all the time, as collar bones do.
 const _SIDEWAYS: float = 0.4
 ## Maximum of bones of a chain that are tried.
@@ -156,7 +157,8 @@ func _limb(p_first: int, p_pair: Vector2i, p_ratio: float) -> PackedInt32Array:
 					continue
 				var score: float = (above + below) / _reach[p_first] - sideways
 				score -= absf(log(below / above / p_ratio))
-				score -= _BONE * (end - upper - 2 + (1 if _is_end[bones[end]] else 0))
+				score -= _BONE * (end - upper - 2)
+				score -= _END_SITE if _is_end[bones[end]] else 0.0
 				if score > best:
 					best = score
 					found = [bones[upper], bones[middle], bones[end]]
