@@ -51,6 +51,10 @@ func _run_clip(p_file: String) -> void:
 	begin()
 	ragdoll.free()
 	ragdoll = BenchBodies.of_clip(source, root_mode)
+	if ragdoll.profile == null:
+		report.leave_out(p_file, "no body can be made of its skeleton")
+		await end()
+		return
 	Walker.new(ragdoll.profile).build_ground(world)
 	world.add_child(ragdoll)
 	if ragdoll.start():
