@@ -66,7 +66,7 @@ const _SURE_UPRIGHT: float = 0.6
 
 
 ## Sets unit and up axis of a clip with their reasons: as given by the options, or else guessed.
-## Mirrors a mirrored one back ([BvhHandedness]).
+## Mirrors a mirrored one back ([BvhHandedness], [BvhTravel]).
 static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
 	var map: HumanoidMap = HumanoidMap.from_clip(p_clip)
 	var anatomy: BvhAnatomy = null
@@ -90,6 +90,7 @@ static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
 		_guess_unit_by_size(p_clip)
 	if anatomy != null:
 		BvhHandedness.settle(p_clip, map)
+		BvhTravel.settle(p_clip, map)
 
 
 static func _guess_unit(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:

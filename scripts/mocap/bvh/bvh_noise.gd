@@ -23,6 +23,12 @@ const MIN_CHANGE: float = 4000.0
 ## And this step, deg, or this speed, deg/s: less is a sensor's or a camera's noise on a motion.
 const MIN_STEP: float = 2.5
 const MIN_SPEED: float = 250.0
+## Median speed of limbs that nobody has, deg/s: the liveliest clip, a sprint, has 403.
+const MAX_SPEED: float = 600.0
+## A way of hips in one frame that nobody makes, m, and most such leaps in a clip: frames before and
+## after a motion may be elsewhere.
+const LEAP: float = 10.0
+const MAX_LEAPS: int = 2
 ## Median speed of hips that nobody has, m/s, and the least one at which unlike steps count.
 const MAX_HIPS: float = 15.0
 const MIN_HIPS: float = 2.0
@@ -54,14 +60,27 @@ static func find_fault(p_clip: BvhClip, p_map: HumanoidMap) -> String:
 	var is_rough: bool = change > UNLIKE * step and change * rate * rate > MIN_CHANGE
 	if is_rough and (step > MIN_STEP or step * rate > MIN_SPEED):
 		return "poses jump by %.0f deg a frame: this is not motion" % step
+	if noise._bend / (noise._places * Limbs.LEGS.size()) > MIN_BEND and noise._hinge() < MIN_HINGE:
+		return "knees and elbows bend every way: this is no person's motion"
+	if step * rate > MAX_SPEED:
+		return "limbs turn by %.0f deg/s all the time: the frame time is wrong" % (step * rate)
 	step = _median(noise._hip_steps) * p_clip.unit_metres
 	change = _median(noise._hip_changes) * p_clip.unit_metres
 	is_rough = change > UNLIKE * step and step * rate > MIN_HIPS
 	if is_rough or step * rate > MAX_HIPS:
 		return "the hips jump by %.2f m a frame: this is not motion" % step
-	if noise._bend / (noise._places * Limbs.LEGS.size()) > MIN_BEND and noise._hinge() < MIN_HINGE:
-		return "knees and elbows bend every way: this is no person's motion"
+	if _count_leaps(p_clip) > MAX_LEAPS:
+		return "the hips jump by %.0f m and more: the file is damaged" % LEAP
 	return ""
+
+
+## How often the root leaps.
+static func _count_leaps(p_clip: BvhClip) -> int:
+	var count: int = 0
+	for frame: int in range(1, p_clip.frame_count):
+		var way: Vector3 = p_clip.root_position(frame) - p_clip.root_position(frame - 1)
+		count += 1 if way.length() > LEAP else 0
+	return count
 
 
 func _look(p_clip: BvhClip, p_map: HumanoidMap) -> void:

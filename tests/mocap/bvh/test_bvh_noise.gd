@@ -29,6 +29,21 @@ func test_hips_that_jump_are_refused() -> void:
 		contains(_fault(_noise(clip_name, "hips")), "the hips jump by", clip_name)
 
 
+func test_a_clip_that_plays_too_fast_is_refused() -> void:
+	var clip: BvhClip = _clip("Boxing_Toes")
+	clip.set_data(clip.joints, clip.values, clip.frame_time / 30.0)
+	contains(_fault(clip), "the frame time is wrong")
+
+
+func test_places_that_leap_are_refused() -> void:
+	var clip: BvhClip = _clip("01_03")
+	var values: PackedFloat64Array = clip.values
+	for frame: int in [500, 900, 1300]:
+		values[frame * clip.channel_count] += 2000.0
+	clip.set_data(clip.joints, values, clip.frame_time)
+	contains(_fault(clip), "the file is damaged")
+
+
 func test_motion_is_not() -> void:
 	for clip_name: String in CLIPS:
 		for rate: float in [120.0, 60.0, 30.0, 15.0, 10.0, 6.0]:
