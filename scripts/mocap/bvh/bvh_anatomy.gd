@@ -7,8 +7,6 @@ extends RefCounted
 ## nothing. Lengths are taken from the motion where there is one, as position channels can replace
 ## what the file says about the rest pose.
 
-## Maximum of frames that are looked at.
-const MAX_FRAMES: int = 48
 ## People's legs are 1.0 (a small child) to 2.8 times as long as the trunk, with files that lack
 ## vertebrae; those of dogs, elephants and horses 0.6 to 1.0.
 const MIN_LEG_BY_TRUNK: float = 0.5
@@ -18,8 +16,8 @@ const FOUR_LEGS_BY_TRUNK: float = 1.15
 ## legs of the animals 0.85 and more.
 const MAX_ARM_BY_LEG: float = 1.8
 const FOUR_LEGS_ARM_BY_LEG: float = 0.8
-## Limbs that are as an animal's in both ways are one's, unless the body is upright: figures with a
-## large head and short legs have such limbs too.
+## Limbs that are as an animal's in both ways are one's, unless the body is upright: cartoons
+## with a large head and short legs have such limbs too.
 const ANIMAL_BY_TRUNK: float = 0.85
 const ANIMAL_ARM_BY_LEG: float = 0.9
 ## A trunk that makes less than 70 degrees with the legs, most of the time, lies across them; one
@@ -60,7 +58,7 @@ func _init(p_clip: BvhClip, p_map: HumanoidMap) -> void:
 	var rest: PackedVector3Array = BvhPoses.rest(p_clip)
 	rest_trunk = _trunk(rest).normalized()
 	rest_legs = _legs(rest).normalized()
-	var poses: Array[PackedVector3Array] = BvhPoses.spread(p_clip, MAX_FRAMES)
+	var poses: Array[PackedVector3Array] = BvhPoses.spread(p_clip)
 	_measure(poses)
 	if p_clip.frame_count > 0:
 		for pose: PackedVector3Array in poses:

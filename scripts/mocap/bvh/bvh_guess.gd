@@ -40,12 +40,13 @@ const _BY_MOTION: float = 1.0
 const _BY_REST: float = 0.7
 const _BY_FLOOR: float = 0.5
 const _BY_ZERO: float = 0.9
-## What a rest pose counts more if the person is as upright as there for a moment, and what it counts
-## if the body is as low lying as standing: who lies first and rises then is not turned by the hips.
+## What a rest pose counts more if the person is as upright as there for a moment, and what it
+## counts if the body is as low lying as standing: who lies first and rises then is not turned by
+## the hips.
 const _BY_RISING: float = 1.0
 const _BY_LYING: float = 0.8
-## Least difference of uprightness between lying and standing, and how near to the most and the least
-## of a clip a frame counts as standing and lying.
+## Least difference of uprightness between lying and standing, and how near to the most and the
+## least of a clip a frame counts as standing and lying.
 const _RISES: float = 0.5
 const _ALIKE: float = 0.25
 ## How unsteady a floor may be, and how far from 0, to count by 1/e, as a share of the leg.

@@ -4,11 +4,9 @@ extends RefCounted
 ##
 ## Programs with left-handed axes can write their numbers as if the axes were right-handed. The
 ## person is then that of a mirror, with the names of the true one: what is called left lies on the
-## right of where the toes point. Toes point forward and knees bend backwards, seen from the line
-## between the hip joints, whichever way the person walks, turns or lies: that tells.
+## right of where the toes point. Toes and knees tell ([LegFacing]), whichever way the person walks,
+## turns or lies.
 
-## Bend of the knees, as the mean sine of their angle, from which on they count in full.
-const FULL_BEND: float = 0.2
 ## Evidence, from -2 (mirrored) to 2, below which a file is mirrored. Of 177 clips of other people
 ## all but those guessed from video by a network were above 0.37, and so below -0.37 mirrored.
 const MIRRORED: float = -0.25
@@ -16,9 +14,9 @@ const MIRRORED: float = -0.25
 
 ## Mirrors a clip back if it is mirrored, and says so in its notes. Its up axis must be known.
 static func settle(p_clip: BvhClip, p_map: HumanoidMap) -> void:
-	var poses: Array[PackedVector3Array] = BvhPoses.spread(p_clip, BvhAnatomy.MAX_FRAMES)
+	var poses: Array[PackedVector3Array] = BvhPoses.spread(p_clip)
 	var left: PackedInt32Array = p_map.leg(Limbs.LEFT_UPPER_LEG)
-	if evidence(poses, left, p_map.leg(Limbs.RIGHT_UPPER_LEG)) >= MIRRORED:
+	if LegFacing.evidence(poses, left, p_map.leg(Limbs.RIGHT_UPPER_LEG)) >= MIRRORED:
 		return
 	mirror(p_clip)
 	p_clip.notes.append(
@@ -30,31 +28,6 @@ static func settle(p_clip: BvhClip, p_map: HumanoidMap) -> void:
 			% p_clip.source_name
 		)
 	)
-
-
-## How much toes and knees speak for what is called left being left: 2 all, -2 all against it, 0
-## nothing. A leg is hip joint, knee, ankle and a point in front of the ankle, -1 if unknown.
-static func evidence(
-	p_poses: Array[PackedVector3Array], p_left: PackedInt32Array, p_right: PackedInt32Array
-) -> float:
-	var toes: float = 0.0
-	var bend: float = 0.0
-	var bends: float = 0.0
-	var shares: float = 2.0 * p_poses.size()
-	for pose: PackedVector3Array in p_poses:
-		var across: Vector3 = (pose[p_left[0]] - pose[p_right[0]]).normalized()
-		for leg: PackedInt32Array in [p_left, p_right]:
-			var thigh: Vector3 = (pose[leg[1]] - pose[leg[0]]).normalized()
-			var shank: Vector3 = (pose[leg[2]] - pose[leg[1]]).normalized()
-			var axis: Vector3 = thigh.cross(shank)
-			bend += axis.dot(across)
-			bends += axis.length()
-			if leg[3] >= 0:
-				var forward: Vector3 = across.cross(-shank).normalized()
-				toes += (pose[leg[3]] - pose[leg[2]]).normalized().dot(forward) / shares
-	if bends <= 0.0:
-		return toes
-	return toes + bend / bends * minf(bends / shares / FULL_BEND, 1.0)
 
 
 ## Mirrors a clip along a level axis of its file, names kept.

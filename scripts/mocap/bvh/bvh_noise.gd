@@ -6,12 +6,12 @@ extends RefCounted
 ## difference of two such steps is smaller than a step. In noise it is sqrt(2) times as large (a
 ## random walk) or sqrt(3) times (frames that have nothing to do with each other). Steps of a lively
 ## dance at 6 frames a second are as unlike each other, but they are slow: its limbs change their
-## speed by less than 4000 deg/s in a second. Smooth noise is told by knees and elbows, which bend
-## about one axis only.
+## speed by less than 4000 deg/s in a second. Of smooth noise knees and elbows give notice: a
+## person's bend about one axis only.
 
 ## Maximum of places in the clip that are looked at, three frames each.
 const MAX_PLACES: int = 200
-## Fewest frames that can be told.
+## Fewest frames that are judged.
 const MIN_FRAMES: int = 8
 ## Difference of two steps, as a share of a step, from which on they are unlike each other (medians
 ## over limbs and places). 177 clips of other people: 0.05 to 0.9, at 10 frames a second up to 1.45;

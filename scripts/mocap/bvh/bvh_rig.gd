@@ -101,8 +101,8 @@ func _measure() -> void:
 		_calibration.append((turn * _heading * rest).inverse())
 
 
-## The level line from the right to the left hip joint; from the right to the left shoulder where the
-## hip joints are one.
+## The level line from the right to the left hip joint; from the right to the left shoulder where
+## the hip joints are one.
 func _across(p_positions: PackedVector3Array) -> Vector3:
 	for pair: Vector2i in [
 		Vector2i(Limbs.LEFT_UPPER_LEG, Limbs.RIGHT_UPPER_LEG),

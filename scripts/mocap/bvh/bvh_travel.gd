@@ -6,7 +6,8 @@ extends RefCounted
 ## person then walks backwards or sideways while the feet slide. The foot that stands tells: of all
 ## ways to mirror the travel along the level axes the true one makes it slide the least.
 
-## Seconds between two poses that are compared, and maximum of places in the clip where that is done.
+## Seconds between two poses that are compared, and maximum of places in the clip where that is
+## done.
 const STEP_S: float = 1.0 / 30.0
 const MAX_PLACES: int = 200
 ## Least way, m, and least speed, m/s, that tell.
@@ -17,8 +18,8 @@ const MIN_SPEED: float = 0.3
 const LESS: float = 0.75
 
 
-## Mirrors the travel of a clip back if it is mirrored, and says so in its notes. Its unit and its up
-## axis must be known.
+## Mirrors the travel of a clip back if it is mirrored, and says so in its notes. Its unit and its
+## up axis must be known.
 static func settle(p_clip: BvhClip, p_map: HumanoidMap) -> void:
 	var step: int = maxi(roundi(STEP_S / p_clip.frame_time), 1)
 	var places: int = mini(MAX_PLACES, p_clip.frame_count - step)

@@ -19,11 +19,6 @@ const NEEDED: Array[StringName] = [
 	&"RightLowerLeg",
 ]
 
-## How long a lower arm is by its upper arm, and a shank by its thigh (de Leva 1996, males: 268.9 by
-## 281.7 mm, 434.0 by 422.2 mm).
-const FOREARM_BY_UPPER_ARM: float = 0.955
-const SHANK_BY_THIGH: float = 1.028
-
 ## Maximum of joints of a side that are considered for a part. People's skeletons have at most ten;
 ## all pairs of them are tried.
 const _MAX_CANDIDATES: int = 32
@@ -79,8 +74,8 @@ func _find_all(p_clip: BvhClip) -> void:
 	joints.resize(Limbs.COUNT)
 	joints.fill(-1)
 	for side: String in ["Left", "Right"]:
-		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"], SHANK_BY_THIGH)
-		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"], FOREARM_BY_UPPER_ARM)
+		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"], LimbStructure.SHANK_BY_THIGH)
+		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"], LimbStructure.FOREARM_BY_UPPER_ARM)
 	var missing: PackedStringArray = _find_missing()
 	if not missing.is_empty():
 		_find_by_structure(p_clip)
