@@ -29,6 +29,18 @@ func test_a_mirrored_file_moves_as_the_true_one() -> void:
 			_compare(rig, truth, note)
 
 
+func test_names_in_another_language_tell_too() -> void:
+	var sides: Dictionary[String, String] = {"Left": "левая ", "Right": "правая "}
+	var clip: BvhClip = _clip("01_03")
+	for joint: BvhJoint in clip.joints:
+		for side: String in sides:
+			if joint.name.begins_with(side):
+				joint.name = sides[side] + "часть"
+	_mirror(clip, 0)
+	BvhGuess.settle(clip, BvhOptions.new())
+	equal(_notes(clip), 1)
+
+
 ## Both rigs play the same motion, wherever they stand and whichever way they begin.
 func _compare(p_rig: BvhRig, p_truth: BvhRig, p_note: String) -> void:
 	for share: float in [0.2, 0.5, 0.9]:
