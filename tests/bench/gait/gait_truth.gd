@@ -2,9 +2,10 @@ extends RefCounted
 ## What is true of a clip: where the points of a body that touch the ground are in it, and when the
 ## person flies.
 ##
-## A person flies while the centre of mass falls freely and what was lowest does not stay where it
-## was: whoever only crouches quickly leaves the feet on the floor. That tells flights of a few
-## centimetres from floors, boxes and beams that nobody sees.
+## A person flies while the centre of mass falls freely, what was lowest does not stay where it was,
+## and what is lowest is higher than where it left the ground or comes back to it: whoever only
+## crouches quickly leaves the feet on the floor, and a foot that rolls stays on it. That tells
+## flights of a few centimetres from floors, boxes and beams that nobody sees.
 
 ## The centre of mass falls freely when it is accelerated downward by more than this, m/s^2.
 const _FALLS: float = 0.6 * 9.81
@@ -12,6 +13,9 @@ const _FALLS: float = 0.6 * 9.81
 const _SHORTEST_S: float = 0.06
 ## The lowest point moves by more than this (m) while it lasts.
 const _MOVES: float = 0.012
+## And is so much higher (m) than so long (s) before and after: a flight of 0.13 s rises by 2 cm.
+const _RISES: float = 0.02
+const _BESIDE_S: float = 0.1
 ## Who is so high (m) over the file's floor for so long (s) without flying stands on something.
 const _HIGH: float = 0.12
 const _STANDS_S: float = 0.5
@@ -64,7 +68,9 @@ func read(p_source: BvhSource, p_ticks: int, p_delta: float) -> void:
 		if falls and begin < 0:
 			begin = tick
 		elif not falls and begin >= 0:
-			if (tick - begin) * p_delta > _SHORTEST_S and _range(begin, tick) > _MOVES:
+			var is_long: bool = (tick - begin) * p_delta > _SHORTEST_S
+			var beside: int = roundi(_BESIDE_S / p_delta)
+			if is_long and _range(begin, tick) > _MOVES and _rises(begin, tick, beside):
 				for i: int in range(begin, tick):
 					flies[i] = true
 			begin = -1
@@ -133,6 +139,14 @@ func _falls_at(p_tick: int, p_span: int, p_delta: float) -> bool:
 		return false
 	var bend: Vector3 = centres[p_tick - p_span] + centres[p_tick + p_span] - 2.0 * centres[p_tick]
 	return bend.y / pow(p_span * p_delta, 2.0) < -_FALLS
+
+
+## Whether the lowest point in the middle of a time is higher than so many ticks beside it.
+func _rises(p_from: int, p_to: int, p_beside: int) -> bool:
+	var before: float = _lowest(points[maxi(p_from - p_beside, 0)])
+	var after: float = _lowest(points[mini(p_to + p_beside, points.size() - 1)])
+	var middle: float = _lowest(points[floori((p_from + p_to) / 2.0)])
+	return middle > minf(before, after) + _RISES
 
 
 ## How far the points move that are lowest in the middle of a time: the least of them, m.
