@@ -15,6 +15,7 @@ void MotorSettings::apply(ragdoll::Driver &r_driver) const {
 	balance.standing_torque = std::min(float(standing_torque), float(root_torque));
 	r_driver.get_controller().settings.gain = float(gain);
 	r_driver.get_controller().settings.muscle_speed = float(muscle_speed);
+	r_driver.get_clearance().overlap = float(self_overlap);
 	r_driver.get_guard().max_energy = float(max_energy);
 	r_driver.measures_torque = measures_torque;
 	r_driver.get_meter().measures_lag = measures_lag;
