@@ -10,7 +10,7 @@ namespace {
 
 constexpr float TINY = 1e-9f;
 constexpr float LIMITLESS = 1e9f; // m
-constexpr float LEAST_LEVER = 0.05f; // Of a face that counts as a way out.
+constexpr float OUTWARDS = 0.05f; // Of a face that counts as a way out.
 constexpr int STEPS = 6; // Of the search along an axis: its function is piecewise linear.
 
 float part(const Vec3 &p_vector, int p_axis) {
@@ -102,7 +102,7 @@ Approach leave_box(const Vec3 &p_from, const Vec3 &p_way, const LimbSolid &p_box
 		const float share = at_first < at_last ? first : last;
 		const Vec3 normal = p_box.axes[axis] * sign;
 		const float distance = std::min(at_first, at_last);
-		const float turns = -distance / std::max(p_freedom.find_lever(normal, share), LEAST_LEVER);
+		const float turns = -distance / std::max(p_freedom.find_lever(normal, share), OUTWARDS);
 		if (turns < least) {
 			least = turns;
 			best.distance = distance;
@@ -199,12 +199,27 @@ void LimbSolid::turn_axes(const Quat &p_orientation) {
 	}
 }
 
-float LimbSolid::thickness(const Vec3 &p_direction) const {
+float LimbSolid::find_thickness(const Vec3 &p_direction) const {
 	if (!is_box) {
 		return half.x;
 	}
 	const float across = std::fabs(axes[0].dot(p_direction)) * half.x + std::fabs(axes[2].dot(p_direction)) * half.z;
 	return std::max(across, std::min(half.x, half.z));
+}
+
+float LimbSolid::find_distance(const Vec3 &p_point, const Vec3 &p_centre) const {
+	const Vec3 from = p_point - p_centre;
+	if (is_box) {
+		return beyond(to_local(*this, from), half).length();
+	}
+	const float along = std::clamp(axes[1].dot(from), -half.y, half.y);
+	return (from - axes[1] * along).length() - half.x;
+}
+
+Vec3 LimbSolid::find_outside(int p_face, float p_distance) const {
+	const int axis = p_face / 2;
+	const float out = part(half, axis) + p_distance;
+	return centre + axes[axis] * (p_face % 2 == 0 ? -out : out);
 }
 
 Approach approach_point(const Vec3 &p_point, const LimbSolid &p_solid, const SolidAxis &p_axis) {

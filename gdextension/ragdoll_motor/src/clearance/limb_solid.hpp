@@ -5,6 +5,14 @@
 
 namespace ragdoll {
 
+/// The axis of a solid, as a way through the world: a point s of it (0 to 1) is at from + s * way.
+struct SolidAxis {
+	Vec3 from; ///< m
+	Vec3 way; ///< m
+
+	Vec3 at(float p_share) const { return from + way * p_share; }
+};
+
 /// A limb's shape as it lies in the world: a box or a pill about an axis, and for boxes the faces that nothing is
 /// pushed out of, as other limbs join there.
 struct LimbSolid {
@@ -26,19 +34,17 @@ struct LimbSolid {
 	Vec3 get_local_half() const { return _local_axes[1] * half.y; }
 	/// How far it reaches from its axis in a direction (a unit vector), m. The ends of boxes are round, too: fingers
 	/// bend.
-	float thickness(const Vec3 &p_direction) const;
+	float find_thickness(const Vec3 &p_direction) const;
+	/// A lower bound of the distance from a point to its surface, m; no more than 0 inside.
+	float find_distance(const Vec3 &p_point, const Vec3 &p_centre) const;
+	/// Where its axis lies.
+	SolidAxis get_axis() const { return { centre - axes[1] * half.y, axes[1] * (2.0f * half.y) }; }
+	/// The place so far (m) outside the middle of a box's face.
+	Vec3 find_outside(int p_face, float p_distance) const;
 
 private:
 	Vec3 _local_axes[3]; // In the limb's frame.
 	Vec3 _local_centre;
-};
-
-/// The axis of a solid, as a way through the world: a point s of it (0 to 1) is at from + s * way.
-struct SolidAxis {
-	Vec3 from; ///< m
-	Vec3 way; ///< m
-
-	Vec3 at(float p_share) const { return from + way * p_share; }
 };
 
 /// How freely an axis can be moved: its points turn about the first joint of a chain with the middle joint, and some

@@ -11,304 +11,219 @@ namespace {
 constexpr int PASSES = 4;
 constexpr int FIRST_PASSES = 40;
 constexpr float DONE = 2e-4f; // Depth that is left, m.
-// How fast a shift is given up that contacts then have to renew, which brings it to the shortest, s.
+// Pairs with wider gaps than this (m) are not looked at in the passes.
+constexpr float NEAR = 0.03f;
+constexpr float FIRST_NEAR = 0.3f;
+// How fast a shift is given up that contacts then have to renew, s.
 constexpr float EASE_S = 0.2f;
 // How fast it goes where the motion itself is clear, but not the way there, s.
 constexpr float FADE_S = 0.05f;
-constexpr float FAR = 0.03f; // Longer shifts than this (m) have no place where the motion is clear.
+constexpr float FAR = 0.03f; // Of shifts that may be on the wrong side of the body, m.
 constexpr float FASTEST = 4.0f; // Of a shift, m/s.
+constexpr float NO_LIMIT = 1.0f; // Overlap with which nothing is moved, m.
 constexpr float LEAST_LEVER = 0.1f; // Square of a lever below which a push would turn a limb too far.
-constexpr float JOINED = 0.03f; // Where another limb is within this of the place this far outside (m), a face is closed.
 
 } // namespace
 
-SelfClearance::SelfClearance(const Rig &p_rig) : _limb_count(p_rig.size()) {
-	for (const TwoBoneChain &limbs : find_chains(p_rig)) {
-		_chains.emplace_back();
-		_chains.back().limbs = limbs;
+SelfClearance::SelfClearance(const Rig &p_rig) :
+		_body(p_rig),
+		_limb_count(p_rig.size()),
+		_chains(_body.chains.size()),
+		_kept(_body.chains.size()),
+		_places(_body.parts.size()) {
+	for (std::size_t i = 0; i < _chains.size(); i++) {
+		_chains[i].upper_rate = 1.0f / p_rig[std::size_t(_body.chains[i].lower)].anchor.length();
+		_chains[i].lower_rate = 1.0f / p_rig[std::size_t(_body.chains[i].end)].anchor.length();
 	}
-	make_parts(p_rig);
-	if (_parts.empty()) {
-		_chains.clear();
-		return;
-	}
-	Pose rest;
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		rest.orientations.push_back(p_rig[i].rest);
-	}
-	place(p_rig, rest);
-	for (Part &part : _parts) {
-		part.solid.turn_axes(rest.orientations[std::size_t(part.solid.limb)]);
-	}
-	close_faces(p_rig);
-	make_pairs(p_rig);
-}
-
-void SelfClearance::make_parts(const Rig &p_rig) {
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		if (p_rig[i].shape.type == LimbShape::Type::NONE) {
-			continue;
-		}
-		Part part;
-		part.solid = LimbSolid(p_rig, i);
-		for (std::size_t c = 0; c < _chains.size(); c++) {
-			const TwoBoneChain &limbs = _chains[c].limbs;
-			const bool is_end = int(i) == limbs.end;
-			if (!is_end && int(i) != limbs.upper && int(i) != limbs.lower) {
-				continue;
-			}
-			part.chain = int(c);
-			part.low = part.high = { 0.0f, 1.0f }; // An end is not turned.
-			if (!is_end) {
-				const Vec3 along = p_rig[std::size_t(int(i) == limbs.upper ? limbs.lower : limbs.end)].anchor;
-				const Vec3 half = part.solid.get_local_half();
-				const float square = along.dot(along);
-				const float low = std::clamp((p_rig[i].centre - half).dot(along) / square, 0.0f, 1.0f);
-				const float high = std::clamp((p_rig[i].centre + half).dot(along) / square, 0.0f, 1.0f);
-				const bool is_upper = int(i) == limbs.upper;
-				part.low = is_upper ? Shares{ low, 0.0f } : Shares{ 1.0f - low, low };
-				part.high = is_upper ? Shares{ high, 0.0f } : Shares{ 1.0f - high, high };
-			}
-		}
-		_parts.push_back(part);
-	}
-}
-
-void SelfClearance::close_faces(const Rig & /*p_rig*/) {
-	for (Part &part : _parts) {
-		for (int face = 0; face < 6 && part.solid.is_box && part.chain < 0; face++) {
-			const int axis = face / 2;
-			const float half = axis == 0 ? part.solid.half.x : (axis == 1 ? part.solid.half.y : part.solid.half.z);
-			const float out = half + JOINED;
-			const Vec3 middle = part.solid.centre + part.solid.axes[axis] * (face % 2 == 0 ? -out : out);
-			for (const Part &other : _parts) {
-				const bool is_arm = other.chain >= 0 && !_chains[std::size_t(other.chain)].limbs.is_leg;
-				part.solid.is_closed[face] |= &other != &part && !is_arm &&
-						approach_point(middle, other.solid, axis_of(other, false)).distance < JOINED;
-			}
-		}
-	}
-}
-
-bool SelfClearance::can_meet(const Rig &p_rig, const Part &p_mover, const Part &p_other) const {
-	if (p_mover.chain < 0 || p_mover.chain == p_other.chain) {
-		return false;
-	}
-	const TwoBoneChain &limbs = _chains[std::size_t(p_mover.chain)].limbs;
-	const bool is_upper = p_mover.solid.limb == limbs.upper;
-	const bool is_other_leg = p_other.chain >= 0 && _chains[std::size_t(p_other.chain)].limbs.is_leg;
-	if (limbs.is_leg) {
-		return is_other_leg && p_mover.solid.limb != limbs.end &&
-				p_other.solid.limb != _chains[std::size_t(p_other.chain)].limbs.end;
-	}
-	// What hangs on the end, or on which the chain hangs, is moved with it, or is joined to it.
-	for (int above = p_other.solid.limb; above >= 0; above = p_rig[std::size_t(above)].parent) {
-		if (above == limbs.end) {
-			return false;
-		}
-	}
-	return !is_upper;
-}
-
-void SelfClearance::make_pairs(const Rig &p_rig) {
-	for (std::size_t i = 0; i < _parts.size(); i++) {
-		for (std::size_t j = 0; j < _parts.size(); j++) {
-			Pair pair;
-			pair.mover = int(i);
-			pair.other = int(j);
-			if (!can_meet(p_rig, _parts[i], _parts[j])) {
-				continue;
-			}
-			const bool is_leg = _chains[std::size_t(_parts[i].chain)].limbs.is_leg;
-			pair.is_shared = _parts[j].chain >= 0 && _chains[std::size_t(_parts[j].chain)].limbs.is_leg == is_leg;
-			// Each pair once: the pill is the mover; of two boxes, or two pills, the first.
-			const bool is_twice = pair.is_shared && can_meet(p_rig, _parts[j], _parts[i]);
-			const bool is_same = _parts[i].solid.is_box == _parts[j].solid.is_box;
-			if (is_twice && (is_same ? j < i : _parts[i].solid.is_box)) {
-				continue;
-			}
-			pair.rest_overlap = std::max(meet(pair, false).depth + overlap, 0.0f);
-			(is_leg ? _leg_pairs : _arm_pairs).push_back(pair);
-		}
-	}
-	_near.reserve(std::max(_leg_pairs.size(), _arm_pairs.size()));
+	_near.reserve(std::max(_body.leg_pairs.size(), _body.arm_pairs.size()));
 }
 
 void SelfClearance::advance(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_now, Pose &r_next) {
-	if (_chains.empty()) {
+	if (_body.parts.empty() || overlap >= NO_LIMIT) {
+		_has_begun = false;
 		return;
 	}
 	if (p_begins || !_has_begun) {
 		solve(p_rig, true, p_delta_s, r_now);
+	} else {
+		for (std::size_t i = 0; i < _chains.size(); i++) {
+			if (_kept[i].is_moved == 0) {
+				continue;
+			}
+			const TwoBoneChain &limbs = _body.chains[i];
+			Quat &upper = r_now.orientations[std::size_t(limbs.upper)];
+			Quat &lower = r_now.orientations[std::size_t(limbs.lower)];
+			const Quat &above = r_now.orientations[std::size_t(p_rig[std::size_t(limbs.upper)].parent)];
+			upper = (above * _kept[i].turn.upper * above.inverse() * upper).normalized();
+			lower = (above * _kept[i].turn.lower * above.inverse() * lower).normalized();
+		}
 	}
 	_has_begun = true;
-	for (Chain &chain : _chains) {
-		const TwoBoneChain &limbs = chain.limbs;
-		chain.turned[0] = r_now.orientations[std::size_t(limbs.upper)];
-		chain.turned[1] = r_now.orientations[std::size_t(limbs.lower)];
-		if (!chain.kept.is_none()) {
-			const int parent = p_rig[std::size_t(limbs.upper)].parent;
-			turn_chain(p_rig, limbs, chain.kept.turned(r_now.orientations[std::size_t(parent)]), r_now);
-		}
-		chain.moved[0] = r_now.orientations[std::size_t(limbs.upper)];
-		chain.moved[1] = r_now.orientations[std::size_t(limbs.lower)];
-	}
 	solve(p_rig, false, p_delta_s, r_next);
-	turn(p_rig, r_next);
 }
 
 void SelfClearance::clear(const Rig &p_rig, Pose &r_pose) {
 	_has_begun = false;
-	if (!_chains.empty()) {
+	if (!_body.parts.empty() && overlap < NO_LIMIT) {
 		solve(p_rig, true, 0.0f, r_pose);
-		turn(p_rig, r_pose);
 	}
-}
-
-void SelfClearance::place(const Rig &p_rig, const Pose &p_pose) {
-	p_rig.joint_positions(p_pose, _joints);
-	for (Part &part : _parts) {
-		const std::size_t limb = std::size_t(part.solid.limb);
-		part.solid.place(p_pose.orientations[limb], _joints[limb]);
-	}
-	_placed++;
 }
 
 void SelfClearance::solve(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose) {
-	place(p_rig, r_pose);
-	for (Chain &chain : _chains) {
-		const int parent = p_rig[std::size_t(chain.limbs.upper)].parent;
-		const Vec3 &middle = _joints[std::size_t(chain.limbs.lower)];
-		chain.upper = middle - _joints[std::size_t(chain.limbs.upper)];
-		chain.lower = _joints[std::size_t(chain.limbs.end)] - middle;
-		chain.shift = {};
-		if (!p_begins && !chain.kept.is_none()) {
-			chain.shift = chain.kept.turned(r_pose.orientations[std::size_t(parent)]);
-		}
-		chain.before = chain.shift;
-	}
-	solve_pairs(r_pose, _leg_pairs, p_begins, p_delta_s);
-	solve_pairs(r_pose, _arm_pairs, p_begins, p_delta_s);
-	for (Chain &chain : _chains) {
-		const int parent = p_rig[std::size_t(chain.limbs.upper)].parent;
-		if (!p_begins && !chain.shift.is_none()) {
-			const float most = FASTEST * p_delta_s;
-			chain.shift.middle = chain.before.middle + (chain.shift.middle - chain.before.middle).limited(most);
-			chain.shift.end = chain.before.end + (chain.shift.end - chain.before.end).limited(most);
-		}
-		chain.kept = {};
-		if (!chain.shift.is_none()) {
-			chain.kept = chain.shift.turned(r_pose.orientations[std::size_t(parent)].inverse());
-		}
-	}
+	begin(p_rig, p_begins, r_pose);
+	// Arms keep clear of where the legs are then.
+	solve_pairs(r_pose, _body.leg_pairs, p_begins, p_delta_s);
+	solve_pairs(r_pose, _body.arm_pairs, p_begins, p_delta_s);
+	keep(p_rig, p_begins, p_delta_s, r_pose);
 }
 
-void SelfClearance::find_ways(Chain &r_chain) {
-	const Vec3 upper = r_chain.upper + r_chain.shift.middle;
-	const Vec3 lower = r_chain.lower + r_chain.shift.end - r_chain.shift.middle;
-	r_chain.upper_way = upper * (1.0f / std::max(upper.length(), 1e-6f));
-	r_chain.lower_way = lower * (1.0f / std::max(lower.length(), 1e-6f));
+void SelfClearance::begin(const Rig &p_rig, bool p_begins, const Pose &p_pose) {
+	p_rig.joint_positions(p_pose, _joints);
+	_step++;
+	for (ClearancePart &part : _body.parts) {
+		const std::size_t limb = std::size_t(part.solid.limb);
+		part.solid.place(p_pose.orientations[limb], _joints[limb]);
+	}
+	for (std::size_t i = 0; i < _chains.size(); i++) {
+		Chain &chain = _chains[i];
+		const TwoBoneChain &limbs = _body.chains[i];
+		const Vec3 &middle = _joints[std::size_t(limbs.lower)];
+		chain.upper = middle - _joints[std::size_t(limbs.upper)];
+		chain.lower = _joints[std::size_t(limbs.end)] - middle;
+		chain.upper_way = chain.upper * chain.upper_rate;
+		chain.lower_way = chain.lower * chain.lower_rate;
+		chain.shift = {};
+		chain.length = 0.0f;
+		if (!p_begins && _kept[i].is_moved != 0) {
+			const int above = p_rig[std::size_t(limbs.upper)].parent;
+			chain.shift = _kept[i].shift.turned(p_pose.orientations[std::size_t(above)]);
+			keep_lengths(chain.upper, chain.lower, chain.shift);
+			chain.upper_way = (chain.upper + chain.shift.middle) * chain.upper_rate;
+			chain.lower_way = (chain.lower + chain.shift.end - chain.shift.middle) * chain.lower_rate;
+			chain.length = chain.shift.length();
+		}
+	}
 }
 
 void SelfClearance::solve_pairs(
-		const Pose &p_pose, const std::vector<Pair> &p_pairs, bool p_begins, float p_delta_s) {
-	if (p_pairs.empty()) {
+		const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, bool p_begins, float p_delta_s) {
+	if (p_pairs.empty() || !has_work(p_pose, p_pairs, p_begins)) {
 		return;
 	}
-	const bool is_leg = _chains[std::size_t(_parts[std::size_t(p_pairs[0].mover)].chain)].limbs.is_leg;
-	for (Chain &chain : _chains) {
-		find_ways(chain);
-	}
-	const bool meets = find_near(p_pose, p_pairs);
+	const bool is_leg = _body.chains[std::size_t(_body.parts[std::size_t(p_pairs[0].mover)].chain)].is_leg;
 	let_go(is_leg, p_delta_s);
-	if (!meets) {
-		return;
-	}
 	for (int pass = 0; pass < (p_begins ? FIRST_PASSES : PASSES); pass++) {
 		bool is_pushed = false;
-		for (const Pair &pair : _near) {
-			is_pushed |= push_apart(pair);
+		for (const Near &near : _near) {
+			is_pushed |= push_apart(near);
 		}
 		if (!is_pushed) {
 			return;
 		}
-		for (Chain &chain : _chains) {
-			if (chain.limbs.is_leg == is_leg && !chain.shift.is_none()) {
-				keep_lengths(chain.upper, chain.lower, chain.shift);
-				find_ways(chain);
+		for (std::size_t i = 0; i < _chains.size(); i++) {
+			if (_body.chains[i].is_leg == is_leg && !_chains[i].shift.is_none()) {
+				keep_lengths(_chains[i].upper, _chains[i].lower, _chains[i].shift);
+				move_chain(i);
 			}
 		}
 	}
 }
 
-bool SelfClearance::find_near(const Pose &p_pose, const std::vector<Pair> &p_pairs) {
+bool SelfClearance::has_work(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, bool p_begins) {
+	const ClearancePart &first = _body.parts[std::size_t(p_pairs[0].mover)];
+	bool is_moved = false;
+	for (std::size_t i = 0; i < _chains.size(); i++) {
+		is_moved |= _chains[i].length > 0.0f && _body.chains[i].is_leg == _body.chains[std::size_t(first.chain)].is_leg;
+	}
+	// Mostly nothing touches: what is only near matters where something does.
+	const bool meets = find_near(p_pose, p_pairs, p_begins ? FIRST_NEAR : (is_moved ? NEAR : 0.0f));
+	if (meets && !is_moved && !p_begins) {
+		find_near(p_pose, p_pairs, NEAR);
+	}
+	return meets || is_moved;
+}
+
+bool SelfClearance::find_near(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, float p_margin) {
 	_near.clear();
+	bool meets = false;
 	for (Chain &chain : _chains) {
 		chain.is_free = true;
 		chain.is_fading = false;
 		chain.room = 1.0f;
+		chain.looked = chain.shift;
+		chain.moved = 0.0f;
 	}
-	bool meets = false;
-	for (const Pair &pair : p_pairs) {
-		Part &mover = _parts[std::size_t(pair.mover)];
-		Part &other = _parts[std::size_t(pair.other)];
-		Chain &chain = _chains[std::size_t(mover.chain)];
-		Chain *second = pair.is_shared ? &_chains[std::size_t(other.chain)] : nullptr;
-		const float shift = chain.shift.length() + (other.chain >= 0 ? _chains[other.chain].shift.length() : 0.0f);
-		const float most = mover.solid.reach + other.solid.reach + shift;
+	for (const ClearancePair &pair : p_pairs) {
+		const ClearancePart &mover = _body.parts[std::size_t(pair.mover)];
+		const ClearancePart &other = _body.parts[std::size_t(pair.other)];
+		const float margin = p_margin + _chains[std::size_t(mover.chain)].length +
+				(other.chain >= 0 ? _chains[std::size_t(other.chain)].length : 0.0f);
+		const float most = pair.reach + margin;
 		const Vec3 apart = mover.solid.centre - other.solid.centre;
 		if (apart.dot(apart) > most * most) {
 			continue;
 		}
-		for (Part *part : { &mover, &other }) {
-			if (part->placed != _placed) {
-				part->solid.turn_axes(p_pose.orientations[std::size_t(part->solid.limb)]);
-				part->placed = _placed;
-			}
+		turn_axes(p_pose, pair.mover);
+		turn_axes(p_pose, pair.other);
+		const Vec3 middle = _places[std::size_t(pair.mover)].axis.at(0.5f);
+		const Vec3 centre = _places[std::size_t(pair.other)].axis.at(0.5f);
+		if (other.solid.find_distance(middle, centre) > mover.solid.reach + margin) {
+			continue;
 		}
-		const float depth = meet(pair, false).depth;
-		meets |= depth > 0.0f;
-		if (depth > 0.0f) {
-			chain.is_free = false;
-			if (second != nullptr) {
-				second->is_free = false;
-			}
-		}
-		if (depth < -2.0f * shift - 0.1f) {
-			continue; // Nothing that is pushed comes so far.
-		}
-		_near.push_back(pair);
-		if (shift > 0.0f) {
-			const float room = -meet(pair, true).depth * (second != nullptr ? 0.5f : 1.0f);
-			chain.room = std::min(chain.room, room);
-			if (second != nullptr) {
-				second->room = std::min(second->room, room);
-			}
+		const Contact contact = meet(pair);
+		meets |= contact.depth > DONE;
+		if (contact.depth > -margin) {
+			look(pair, contact);
+			_near.push_back({ &pair, contact.depth });
 		}
 	}
 	return meets;
 }
 
-void SelfClearance::let_go(bool p_legs, float p_delta_s) {
-	for (Chain &chain : _chains) {
-		if (chain.limbs.is_leg != p_legs || chain.shift.is_none()) {
-			continue;
+void SelfClearance::look(const ClearancePair &p_pair, const Contact &p_contact) {
+	Chain &chain = chain_of(p_pair.mover);
+	Chain *second = p_pair.is_shared ? &chain_of(p_pair.other) : nullptr;
+	const float room = -p_contact.depth * (second != nullptr ? 0.5f : 1.0f);
+	chain.room = std::min(chain.room, room);
+	bool is_far = chain.length > FAR;
+	if (second != nullptr) {
+		second->room = std::min(second->room, room);
+		is_far |= second->length > FAR;
+	}
+	if (is_far && (chain.is_free || (second != nullptr && second->is_free)) && meet_unmoved(p_pair).depth > 0.0f) {
+		chain.is_free = false;
+		if (second != nullptr) {
+			second->is_free = false;
 		}
-		const float length = chain.shift.length();
-		// On the wrong side of the body: the way back is through it.
-		chain.is_fading = chain.is_free && length > FAR;
-		const float eased = std::exp(-p_delta_s / (chain.is_free ? FADE_S : EASE_S));
-		const float left = std::min(eased, 1.0f - chain.room / length);
-		chain.shift = left * length > DONE ? chain.shift.scaled(left) : ChainShift();
 	}
 }
 
-bool SelfClearance::push_apart(const Pair &p_pair) {
-	const Chain &chain = _chains[std::size_t(_parts[std::size_t(p_pair.mover)].chain)];
-	if (chain.is_fading && !p_pair.is_shared) {
+void SelfClearance::let_go(bool p_legs, float p_delta_s) {
+	for (std::size_t i = 0; i < _chains.size(); i++) {
+		Chain &chain = _chains[i];
+		if (_body.chains[i].is_leg != p_legs || chain.length == 0.0f) {
+			continue;
+		}
+		// On the wrong side of the body: the way back is through it.
+		chain.is_fading = chain.is_free && chain.length > FAR;
+		const float eased = std::exp(-p_delta_s / (chain.is_fading ? FADE_S : EASE_S));
+		const float left = std::min(eased, 1.0f - chain.room / chain.length);
+		chain.shift = left * chain.length > DONE ? chain.shift.scaled(left) : ChainShift();
+		move_chain(i);
+	}
+}
+
+bool SelfClearance::push_apart(const Near &p_near) {
+	const ClearancePair &p_pair = *p_near.pair;
+	const float moved =
+			chain_of(p_pair.mover).moved + (p_pair.is_shared ? chain_of(p_pair.other).moved : 0.0f);
+	if (p_near.depth + moved < 0.0f) {
 		return false;
 	}
-	const Contact nearest = meet(p_pair, true);
+	if (!p_pair.is_shared && chain_of(p_pair.mover).is_fading) {
+		return false;
+	}
+	const Contact nearest = meet(p_pair);
 	if (nearest.depth < DONE) {
 		return false;
 	}
@@ -323,19 +238,9 @@ bool SelfClearance::push_apart(const Pair &p_pair) {
 	return true;
 }
 
-SelfClearance::Lever SelfClearance::find_lever(const Part &p_part, float p_share, const Vec3 &p_normal) const {
-	const Chain &chain = _chains[std::size_t(p_part.chain)];
-	const Shares shares{ p_part.low.middle + (p_part.high.middle - p_part.low.middle) * p_share,
-		p_part.low.end + (p_part.high.end - p_part.low.end) * p_share };
-	Lever lever;
-	lever.upper = (p_normal - chain.upper_way * chain.upper_way.dot(p_normal)) * (shares.middle + shares.end);
-	lever.lower = (p_normal - chain.lower_way * chain.lower_way.dot(p_normal)) * shares.end;
-	return lever;
-}
-
-void SelfClearance::push(const Pair &p_pair, const Contact &p_contact) {
-	const Part &mover = _parts[std::size_t(p_pair.mover)];
-	const Part &other = _parts[std::size_t(p_pair.other)];
+void SelfClearance::push(const ClearancePair &p_pair, const Contact &p_contact) {
+	const ClearancePart &mover = _body.parts[std::size_t(p_pair.mover)];
+	const ClearancePart &other = _body.parts[std::size_t(p_pair.other)];
 	const Vec3 &normal = p_contact.approach.normal;
 	const Lever own = find_lever(mover, p_contact.approach.share, normal);
 	Lever others;
@@ -347,10 +252,11 @@ void SelfClearance::push(const Pair &p_pair, const Contact &p_contact) {
 		return;
 	}
 	const float size = p_contact.depth / weight;
-	const auto move = [&](const Part &p_part, const Lever &p_lever, float p_size) {
+	const auto move = [&](const ClearancePart &p_part, const Lever &p_lever, float p_size) {
 		ChainShift &shift = _chains[std::size_t(p_part.chain)].shift;
 		shift.middle = shift.middle + p_lever.upper * p_size;
 		shift.end = shift.end + (p_lever.upper + p_lever.lower) * p_size;
+		move_chain(std::size_t(p_part.chain));
 	};
 	move(mover, own, size);
 	if (p_pair.is_shared) {
@@ -358,77 +264,123 @@ void SelfClearance::push(const Pair &p_pair, const Contact &p_contact) {
 	}
 }
 
-void SelfClearance::turn(const Rig &p_rig, Pose &r_pose) {
-	for (const Chain &chain : _chains) {
-		if (!chain.shift.is_none()) {
-			turn_chain(p_rig, chain.limbs, chain.shift, r_pose);
+void SelfClearance::keep(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose) {
+	for (std::size_t i = 0; i < _chains.size(); i++) {
+		Chain &chain = _chains[i];
+		Kept &kept = _kept[i];
+		const std::size_t above = std::size_t(p_rig[std::size_t(_body.chains[i].upper)].parent);
+		const Quat into = r_pose.orientations[above].inverse();
+		if (!p_begins && (!chain.shift.is_none() || kept.is_moved != 0)) {
+			const ChainShift before = kept.is_moved != 0 ? kept.shift.turned(r_pose.orientations[above]) : ChainShift();
+			const float most = FASTEST * p_delta_s;
+			chain.shift.middle = before.middle + (chain.shift.middle - before.middle).limited(most);
+			chain.shift.end = before.end + (chain.shift.end - before.end).limited(most);
+		}
+		kept.is_moved = chain.shift.is_none() ? 0 : 1;
+		if (kept.is_moved != 0) {
+			const ChainTurn turn = turn_chain(p_rig, _body.chains[i], chain.shift, r_pose);
+			kept.shift = chain.shift.turned(into);
+			kept.turn = { into * turn.upper * into.inverse(), into * turn.lower * into.inverse() };
 		}
 	}
 }
 
-Vec3 SelfClearance::shift_of(const Part &p_part, const Shares &p_shares) const {
-	const ChainShift &shift = _chains[std::size_t(p_part.chain)].shift;
-	return shift.middle * p_shares.middle + shift.end * p_shares.end;
-}
-
-SolidAxis SelfClearance::axis_of(const Part &p_part, bool p_moved) const {
-	const Vec3 half = p_part.solid.axes[1] * p_part.solid.half.y;
-	if (!p_moved || p_part.chain < 0) {
-		return { p_part.solid.centre - half, half * 2.0f };
+void SelfClearance::turn_axes(const Pose &p_pose, int p_part) {
+	Place &place = _places[std::size_t(p_part)];
+	if (place.step != _step) {
+		LimbSolid &solid = _body.parts[std::size_t(p_part)].solid;
+		solid.turn_axes(p_pose.orientations[std::size_t(solid.limb)]);
+		place.step = _step;
+		find_axis(std::size_t(p_part));
 	}
-	const Vec3 low = shift_of(p_part, p_part.low);
-	return { p_part.solid.centre - half + low, half * 2.0f + shift_of(p_part, p_part.high) - low };
 }
 
-SelfClearance::Contact SelfClearance::weigh(const Pair &p_pair, const Approach &p_approach) const {
-	const LimbSolid &solid = _parts[std::size_t(p_pair.mover)].solid;
-	const float allowed = std::max(overlap, p_pair.rest_overlap);
-	return { p_approach, solid.thickness(p_approach.normal) - p_approach.distance - allowed };
+void SelfClearance::find_axis(std::size_t p_part) {
+	const ClearancePart &part = _body.parts[p_part];
+	SolidAxis axis = part.solid.get_axis();
+	if (part.chain >= 0) {
+		const ChainShift &shift = _chains[std::size_t(part.chain)].shift;
+		const Vec3 low = shift.middle * part.low.middle + shift.end * part.low.end;
+		const Vec3 high = shift.middle * part.high.middle + shift.end * part.high.end;
+		axis = { axis.from + low, axis.way + high - low };
+	}
+	_places[p_part].axis = axis;
 }
 
-SelfClearance::Contact SelfClearance::meet(const Pair &p_pair, bool p_moved) const {
-	const Part &other = _parts[std::size_t(p_pair.other)];
-	const SolidAxis mover = axis_of(_parts[std::size_t(p_pair.mover)], p_moved);
-	const Part &part = _parts[std::size_t(p_pair.mover)];
+void SelfClearance::move_chain(std::size_t p_chain) {
+	Chain &chain = _chains[p_chain];
+	chain.upper_way = (chain.upper + chain.shift.middle) * chain.upper_rate;
+	chain.lower_way = (chain.lower + chain.shift.end - chain.shift.middle) * chain.lower_rate;
+	chain.moved = ChainShift{ chain.shift.middle - chain.looked.middle, chain.shift.end - chain.looked.end }.length();
+	for (std::size_t i = 0; i < _body.parts.size(); i++) {
+		if (_body.parts[i].chain == int(p_chain) && _places[i].step == _step) {
+			find_axis(i);
+		}
+	}
+}
+
+AxisFreedom SelfClearance::get_freedom(const ClearancePair &p_pair) const {
+	const ClearancePart &part = _body.parts[std::size_t(p_pair.mover)];
 	const Chain &chain = _chains[std::size_t(part.chain)];
-	const AxisFreedom freedom{ chain.upper_way, chain.lower_way, part.low.end, part.high.end };
-	return weigh(p_pair, approach_axis(mover, freedom, other.solid, axis_of(other, p_moved)));
+	return { chain.upper_way, chain.lower_way, part.low.end, part.high.end };
 }
 
-SelfClearance::Contact SelfClearance::meet_end(const Pair &p_pair, float p_end) const {
-	const Part &other = _parts[std::size_t(p_pair.other)];
-	const SolidAxis mover = axis_of(_parts[std::size_t(p_pair.mover)], true);
-	Contact contact = weigh(p_pair, approach_point(mover.at(p_end), other.solid, axis_of(other, true)));
+SelfClearance::Lever SelfClearance::find_lever(
+		const ClearancePart &p_part, float p_share, const Vec3 &p_normal) const {
+	const Chain &chain = _chains[std::size_t(p_part.chain)];
+	const ChainShares shares = p_part.at(p_share);
+	Lever lever;
+	lever.upper = (p_normal - chain.upper_way * chain.upper_way.dot(p_normal)) * (shares.middle + shares.end);
+	lever.lower = (p_normal - chain.lower_way * chain.lower_way.dot(p_normal)) * shares.end;
+	return lever;
+}
+
+SelfClearance::Contact SelfClearance::weigh(const ClearancePair &p_pair, const Approach &p_approach) const {
+	const LimbSolid &solid = _body.parts[std::size_t(p_pair.mover)].solid;
+	const float allowed = std::max(overlap, p_pair.rest_overlap);
+	return { p_approach, solid.find_thickness(p_approach.normal) - p_approach.distance - allowed };
+}
+
+SelfClearance::Contact SelfClearance::meet(const ClearancePair &p_pair) const {
+	const SolidAxis &mover = _places[std::size_t(p_pair.mover)].axis;
+	const SolidAxis &other = _places[std::size_t(p_pair.other)].axis;
+	const LimbSolid &solid = _body.parts[std::size_t(p_pair.other)].solid;
+	return weigh(p_pair, approach_axis(mover, get_freedom(p_pair), solid, other));
+}
+
+SelfClearance::Contact SelfClearance::meet_unmoved(const ClearancePair &p_pair) const {
+	const LimbSolid &mover = _body.parts[std::size_t(p_pair.mover)].solid;
+	const LimbSolid &other = _body.parts[std::size_t(p_pair.other)].solid;
+	return weigh(p_pair, approach_axis(mover.get_axis(), get_freedom(p_pair), other, other.get_axis()));
+}
+
+SelfClearance::Contact SelfClearance::meet_end(const ClearancePair &p_pair, float p_end) const {
+	const SolidAxis &mover = _places[std::size_t(p_pair.mover)].axis;
+	const SolidAxis &other = _places[std::size_t(p_pair.other)].axis;
+	const LimbSolid &solid = _body.parts[std::size_t(p_pair.other)].solid;
+	Contact contact = weigh(p_pair, approach_point(mover.at(p_end), solid, other));
 	contact.approach.share = p_end;
 	return contact;
 }
 
 std::vector<float> SelfClearance::find_turns() const {
 	std::vector<float> turns(_limb_count, 0.0f);
-	for (const Chain &chain : _chains) {
-		turns[std::size_t(chain.limbs.upper)] = angle_between(chain.turned[0], chain.moved[0]);
-		turns[std::size_t(chain.limbs.lower)] = angle_between(chain.turned[1], chain.moved[1]);
+	for (std::size_t i = 0; i < _kept.size(); i++) {
+		if (_kept[i].is_moved != 0) {
+			turns[std::size_t(_body.chains[i].upper)] = log(_kept[i].turn.upper).length();
+			turns[std::size_t(_body.chains[i].lower)] = log(_kept[i].turn.lower).length();
+		}
 	}
 	return turns;
 }
 
 void SelfClearance::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_has_begun);
-	for (const Chain &chain : _chains) {
-		p_archive.put(chain.kept);
-	}
+	p_archive.put_all(_kept);
 }
 
 bool SelfClearance::restore(ArchiveReader &p_archive) {
-	if (!p_archive.get(_has_begun)) {
-		return false;
-	}
-	for (Chain &chain : _chains) {
-		if (!p_archive.get(chain.kept)) {
-			return false;
-		}
-	}
-	return true;
+	return p_archive.get(_has_begun) && p_archive.get_all(_kept);
 }
 
 } // namespace ragdoll

@@ -2,24 +2,21 @@
 #pragma once
 
 #include "base/archive.hpp"
-#include "body/rig.hpp"
-#include "clearance/limb_solid.hpp"
-#include "clearance/two_bone_chain.hpp"
+#include "clearance/clearance_body.hpp"
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace ragdoll {
 
 /// Moves the targets of arms and legs that lie inside the own body out to its surface, so that no motor pulls a limb
-/// into another: a wearer is slimmer, or a suit's measures are off, and crossed forearms lie in the chest.
+/// into another: a wearer is slimmer than the body, or the suit is off, and crossed forearms lie in the chest.
 ///
-/// Forearms and hands keep clear of trunk, head, legs and the other arm; thighs (from where they are apart) and shins
-/// of the other leg. Elbow and wrist (knee and ankle) are the unknowns: contacts and the lengths of the limbs are
-/// satisfied one after the other (position-based dynamics, Mueller et al. 2007), beginning from how they were moved
-/// the step before, so that who has come to lie on one side stays there. What is not needed any more goes at once
-/// where the way back is free.
+/// What is found is how far elbow and wrist (knee and ankle) are shifted. Contacts and the lengths of the limbs are
+/// satisfied one after the other, by the turns of the two limbs that need least (Gauss-Seidel over the contacts, as in
+/// position-based dynamics, Mueller et al. 2007). It begins with the shift of the step before, so that who has come
+/// to lie on one side of the chest stays there. A shift is given up at once as far as nothing is in the way back, and
+/// a little of it in any case, which contacts then renew: so it comes to the shortest.
 class SelfClearance {
 public:
 	/// Greatest depth to which limbs may lie in each other, m, besides what they do in the rest pose. Flesh yields.
@@ -27,49 +24,51 @@ public:
 
 	explicit SelfClearance(const Rig &p_rig);
 	/// Moves the targets at the beginning and at the end of a step.
-	/// @param p_begins whether the pose is not what the last step led to
+	/// @param p_begins whether the pose does not go on from the last step
 	void advance(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_now, Pose &r_next);
 	/// Moves a single pose; the next step begins anew.
 	void clear(const Rig &p_rig, Pose &r_pose);
-	/// By how much the target of each limb at the beginning of the last step was turned, rad.
+	/// By how much the target of each limb was turned at the end of the last step, rad.
 	std::vector<float> find_turns() const;
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
 
 private:
-	/// Shares of a chain's shift (middle, end) that a point moves by.
-	struct Shares {
-		float middle = 0.0f;
-		float end = 0.0f;
+	/// What is kept from step to step, in the axes of what the chain hangs on.
+	struct Kept {
+		ChainShift shift;
+		ChainTurn turn;
+		std::uint32_t is_moved = 0; // Of a size that leaves no gap: it is archived byte by byte.
 	};
 	struct Chain {
-		TwoBoneChain limbs;
-		ChainShift shift; // World axes, at the end of the step.
-		ChainShift before; // Where the step began, world axes as above.
-		ChainShift kept; // In the axes of what the chain hangs on.
-		Vec3 upper; // From the first joint to the middle one, where the motion has them, m.
+		ChainShift shift; // World axes, m.
+		Vec3 upper; // From the first joint to the middle one where the motion has them, m.
 		Vec3 lower; // On to the end.
-		Vec3 upper_way; // Along the limbs as they are moved, unit vectors.
+		float upper_rate = 0.0f; // One over their lengths, 1/m.
+		float lower_rate = 0.0f;
+		Vec3 upper_way; // Along them as they are moved, unit vectors.
 		Vec3 lower_way;
+		float length = 0.0f; // Of the shift with which a step begins, m.
+		ChainShift looked; // The shift with which pairs were looked at ...
+		float moved = 0.0f; // ... and how far it has gone since, m.
 		float room = 0.0f; // Until the chain meets anything, m.
-		bool is_free = false; // The motion itself is clear.
+		bool is_free = false; // The motion itself is clear of everything.
 		bool is_fading = false; // It goes back through the body.
-		Quat turned[2]; // The upper and lower limb's target before it was moved, at the step's beginning ...
-		Quat moved[2]; // ... and after.
 	};
-	struct Part {
-		LimbSolid solid;
-		int chain = -1; // That moves it.
-		Shares low; // At its axis' beginning ...
-		Shares high; // ... and end.
-		std::uint32_t placed = 0; // When its axes were turned.
+	/// A pair that may come to touch, and how deep it was when it was looked at, m.
+	struct Near {
+		const ClearancePair *pair = nullptr;
+		float depth = 0.0f;
 	};
-	struct Pair {
-		int mover = 0; // Parts.
-		int other = 0;
-		float rest_overlap = 0.0f; // In the rest pose, m.
-		bool is_shared = false; // Both can be moved.
+	/// Where a part lies now.
+	struct Place {
+		std::uint32_t step = 0; // In which its axes were turned.
+		SolidAxis axis; // As it is moved.
+	};
+	struct Contact {
+		Approach approach;
+		float depth = 0.0f; // m; below zero there is a gap.
 	};
 	/// How a point moves in a direction where the upper and the lower limb are turned.
 	struct Lever {
@@ -77,42 +76,40 @@ private:
 		Vec3 lower; // By the end's way about the middle.
 		float square() const { return upper.dot(upper) + lower.dot(lower); }
 	};
-	struct Contact {
-		Approach approach;
-		float depth = 0.0f;
-	};
 
-	void make_parts(const Rig &p_rig);
-	void make_pairs(const Rig &p_rig);
-	void close_faces(const Rig &p_rig);
-	bool can_meet(const Rig &p_rig, const Part &p_mover, const Part &p_other) const;
-	void place(const Rig &p_rig, const Pose &p_pose);
 	void solve(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose);
-	void solve_pairs(const Pose &p_pose, const std::vector<Pair> &p_pairs, bool p_begins, float p_delta_s);
-	/// Finds the pairs that may meet. Returns whether any do where the motion has them.
-	bool find_near(const Pose &p_pose, const std::vector<Pair> &p_pairs);
+	void begin(const Rig &p_rig, bool p_begins, const Pose &p_pose);
+	void solve_pairs(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, bool p_begins, float p_delta_s);
+	bool has_work(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, bool p_begins);
+	/// Looks at all pairs with gaps up to a margin, m. Returns whether any is too deep.
+	bool find_near(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, float p_margin);
+	void look(const ClearancePair &p_pair, const Contact &p_contact);
 	void let_go(bool p_legs, float p_delta_s);
-	bool push_apart(const Pair &p_pair);
-	static void find_ways(Chain &r_chain);
-	Lever find_lever(const Part &p_part, float p_share, const Vec3 &p_normal) const;
-	void push(const Pair &p_pair, const Contact &p_contact);
-	void turn(const Rig &p_rig, Pose &r_pose);
-	Vec3 shift_of(const Part &p_part, const Shares &p_shares) const;
-	SolidAxis axis_of(const Part &p_part, bool p_moved) const;
-	Contact meet(const Pair &p_pair, bool p_moved) const;
-	Contact meet_end(const Pair &p_pair, float p_end) const;
-	Contact weigh(const Pair &p_pair, const Approach &p_approach) const;
+	bool push_apart(const Near &p_near);
+	void push(const ClearancePair &p_pair, const Contact &p_contact);
+	void keep(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose);
 
+	void turn_axes(const Pose &p_pose, int p_part);
+	void find_axis(std::size_t p_part);
+	void move_chain(std::size_t p_chain);
+	Contact meet(const ClearancePair &p_pair) const;
+	Contact meet_unmoved(const ClearancePair &p_pair) const;
+	Contact meet_end(const ClearancePair &p_pair, float p_end) const;
+	Contact weigh(const ClearancePair &p_pair, const Approach &p_approach) const;
+	AxisFreedom get_freedom(const ClearancePair &p_pair) const;
+	Lever find_lever(const ClearancePart &p_part, float p_share, const Vec3 &p_normal) const;
+	Chain &chain_of(int p_part) { return _chains[std::size_t(_body.parts[std::size_t(p_part)].chain)]; }
+
+	ClearanceBody _body;
 	std::size_t _limb_count;
 	std::vector<Chain> _chains;
-	std::vector<Part> _parts;
-	std::vector<Pair> _leg_pairs; // Legs come first: arms keep clear of where they are then.
-	std::vector<Pair> _arm_pairs;
+	std::vector<Kept> _kept;
+	std::vector<Place> _places;
 	bool _has_begun = false;
 	// Kept between steps, so that a step allocates nothing.
-	std::vector<Pair> _near;
+	std::vector<Near> _near;
 	std::vector<Vec3> _joints;
-	std::uint32_t _placed = 0;
+	std::uint32_t _step = 0;
 };
 
 } // namespace ragdoll

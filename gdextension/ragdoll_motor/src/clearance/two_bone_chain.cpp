@@ -61,18 +61,12 @@ std::vector<TwoBoneChain> find_chains(const Rig &p_rig) {
 }
 
 void keep_lengths(const Vec3 &p_upper, const Vec3 &p_lower, ChainShift &r_shift) {
-	const float upper = p_upper.length();
-	const float lower = p_lower.length();
-	r_shift.middle = resized(p_upper + r_shift.middle, upper) - p_upper;
-	// Half of what the lower limb is too long or too short by goes to either end of it ...
-	const Vec3 now = p_lower + r_shift.end - r_shift.middle;
-	const Vec3 wrong = now - resized(now, lower);
-	r_shift.middle = resized(p_upper + r_shift.middle + wrong * 0.5f, upper) - p_upper;
-	// ... and what the upper limb does not allow, to the end alone.
-	r_shift.end = resized(p_lower + r_shift.end - wrong * 0.5f - r_shift.middle, lower) + r_shift.middle - p_lower;
+	const Vec3 lower = resized(p_lower + r_shift.end - r_shift.middle, p_lower.length());
+	r_shift.middle = resized(p_upper + r_shift.middle, p_upper.length()) - p_upper;
+	r_shift.end = r_shift.middle + lower - p_lower;
 }
 
-void turn_chain(const Rig &p_rig, const TwoBoneChain &p_chain, const ChainShift &p_shift, Pose &r_pose) {
+ChainTurn turn_chain(const Rig &p_rig, const TwoBoneChain &p_chain, const ChainShift &p_shift, Pose &r_pose) {
 	Quat &upper = r_pose.orientations[std::size_t(p_chain.upper)];
 	Quat &lower = r_pose.orientations[std::size_t(p_chain.lower)];
 	const Vec3 along = upper.rotate(p_rig[std::size_t(p_chain.lower)].anchor);
@@ -91,8 +85,10 @@ void turn_chain(const Rig &p_rig, const TwoBoneChain &p_chain, const ChainShift 
 		const float angle = hinge.cross(new_hinge).dot(axis) / (hinge.length() * new_hinge.length());
 		turn = exp(axis * (angle * known * known * (3.0f - 2.0f * known))) * turn;
 	}
+	const Quat bent = rotation_between(turn.rotate(on), new_on) * turn;
 	upper = (turn * upper).normalized();
-	lower = (rotation_between(turn.rotate(on), new_on) * turn * lower).normalized();
+	lower = (bent * lower).normalized();
+	return { turn, bent };
 }
 
 } // namespace ragdoll

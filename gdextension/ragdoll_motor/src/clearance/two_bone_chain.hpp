@@ -37,10 +37,16 @@ std::vector<TwoBoneChain> find_chains(const Rig &p_rig);
 /// @param p_lower from the middle joint to the end where the motion has them, m
 void keep_lengths(const Vec3 &p_upper, const Vec3 &p_lower, ChainShift &r_shift);
 
+/// How the two limbs of a chain are turned, about the world's axes.
+struct ChainTurn {
+	Quat upper;
+	Quat lower;
+};
+
 /// Turns a pose's two limbs to where a shift has their joints. The chain bends about the hinge that the motion bends
 /// it about, as far as it is bent at all: the upper limb turns about its length to where the hinge is. What hangs on
-/// the end keeps its orientation in the world.
+/// the end keeps its orientation in the world. Returns the turns.
 /// @param p_shift in world axes
-void turn_chain(const Rig &p_rig, const TwoBoneChain &p_chain, const ChainShift &p_shift, Pose &r_pose);
+ChainTurn turn_chain(const Rig &p_rig, const TwoBoneChain &p_chain, const ChainShift &p_shift, Pose &r_pose);
 
 } // namespace ragdoll
