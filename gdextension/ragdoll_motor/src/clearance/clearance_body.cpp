@@ -40,6 +40,7 @@ ClearanceBody::ClearanceBody(const Rig &p_rig) : chains(find_chains(p_rig)) {
 }
 
 void ClearanceBody::make_parts(const Rig &p_rig) {
+	chain_parts.resize(chains.size());
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
 		if (p_rig[i].shape.type == LimbShape::Type::NONE) {
 			continue;
@@ -51,6 +52,7 @@ void ClearanceBody::make_parts(const Rig &p_rig) {
 			const int limb = int(i);
 			if (limb == chains[c].upper || limb == chains[c].lower || limb == chains[c].end) {
 				part.chain = int(c);
+				chain_parts[c].push_back(int(parts.size()));
 				part.low = find_shares(p_rig, chains[c], limb, p_rig[i].centre - half);
 				part.high = find_shares(p_rig, chains[c], limb, p_rig[i].centre + half);
 			}
@@ -100,8 +102,8 @@ void ClearanceBody::make_pairs(const Rig &p_rig) {
 				continue;
 			}
 			ClearancePair pair;
-			pair.mover = int(i);
-			pair.other = int(j);
+			pair.mover = std::int16_t(i);
+			pair.other = std::int16_t(j);
 			pair.reach = mover.reach + other.reach;
 			pair.is_shared = parts[j].chain >= 0 && is_leg(parts[j]) == is_leg(parts[i]);
 			// Each pair once: the pill goes out of the box; of two of a kind, the first out of the second.

@@ -5,6 +5,7 @@
 #include "clearance/limb_solid.hpp"
 #include "clearance/two_bone_chain.hpp"
 
+#include <cstdint>
 #include <vector>
 
 namespace ragdoll {
@@ -30,8 +31,8 @@ struct ClearancePart {
 
 /// Two limbs that have to keep clear of each other.
 struct ClearancePair {
-	int mover = 0; ///< A part of a chain.
-	int other = 0;
+	std::int16_t mover = 0; ///< A part of a chain.
+	std::int16_t other = 0;
 	float reach = 0.0f; ///< Centres that are further apart than this (m) are those of limbs that do not touch.
 	float rest_overlap = 0.0f; ///< How deep they lie in each other in the rest pose, m.
 	bool is_shared = false; ///< Both are moved; otherwise the other one stays.
@@ -42,6 +43,7 @@ struct ClearancePair {
 struct ClearanceBody {
 	std::vector<TwoBoneChain> chains;
 	std::vector<ClearancePart> parts;
+	std::vector<std::vector<int>> chain_parts; ///< Of each chain.
 	std::vector<ClearancePair> leg_pairs;
 	std::vector<ClearancePair> arm_pairs;
 

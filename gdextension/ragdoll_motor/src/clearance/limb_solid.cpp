@@ -11,7 +11,8 @@ namespace {
 constexpr float TINY = 1e-9f;
 constexpr float LIMITLESS = 1e9f; // m
 constexpr float OUTWARDS = 0.05f; // Of a face that counts as a way out.
-constexpr int STEPS = 6; // Of the search along an axis: its function is piecewise linear.
+constexpr int STEPS = 8; // Of the search along an axis.
+constexpr float FLAT = 1e-5f; // Slope at the place that is nearest, m^2.
 
 float part(const Vec3 &p_vector, int p_axis) {
 	return p_axis == 0 ? p_vector.x : (p_axis == 1 ? p_vector.y : p_vector.z);
@@ -19,7 +20,7 @@ float part(const Vec3 &p_vector, int p_axis) {
 
 /// How far a coordinate is beyond a box's faces, with its sign; 0 between them.
 float beyond(float p_at, float p_half) {
-	return p_at - std::clamp(p_at, -p_half, p_half);
+	return std::copysign(std::max(std::fabs(p_at) - p_half, 0.0f), p_at);
 }
 
 Vec3 beyond(const Vec3 &p_at, const Vec3 &p_half) {
@@ -34,35 +35,25 @@ Vec3 to_world(const LimbSolid &p_solid, const Vec3 &p_vector) {
 	return p_solid.axes[0] * p_vector.x + p_solid.axes[1] * p_vector.y + p_solid.axes[2] * p_vector.z;
 }
 
-/// The share of a way (in a box's axes) at which it is nearest to the box. The slope of the squared distance is
-/// piecewise linear and rises: regula falsi finds its zero (the Illinois method, Dowell and Jarratt 1971).
+/// The share of a way (in a box's axes) at which it is nearest to the box. The squared distance is convex and made of
+/// parabolas: Newton's steps find its lowest point, within the part that is left of the way.
 float find_nearest(const Vec3 &p_from, const Vec3 &p_way, const Vec3 &p_half) {
-	const auto slope = [&](float p_share) { return beyond(p_from + p_way * p_share, p_half).dot(p_way); };
-	float low = 0.0f;
-	float high = 1.0f;
-	float at_low = slope(low);
-	float at_high = slope(high);
-	if (at_low >= 0.0f) {
-		return low;
-	}
-	if (at_high <= 0.0f) {
-		return high;
-	}
-	float share = 0.5f;
+	const Vec3 squares = p_way.scaled(p_way);
+	float low = -1.0f; // Between these, which have been looked at, it must be.
+	float high = 2.0f;
+	float share = std::clamp(-p_from.dot(p_way) / std::max(squares.x + squares.y + squares.z, TINY), 0.0f, 1.0f);
 	for (int step = 0; step < STEPS; step++) {
-		share = low + (high - low) * at_low / (at_low - at_high);
-		const float now = slope(share);
-		if (std::fabs(now) < 1e-6f) {
+		const Vec3 out = beyond(p_from + p_way * share, p_half);
+		const float slope = out.dot(p_way);
+		if (std::fabs(slope) < FLAT || (slope > 0.0f && share <= 0.0f) || (slope < 0.0f && share >= 1.0f)) {
 			break;
 		}
-		if (now < 0.0f) {
-			low = share;
-			at_low = now;
-			at_high *= 0.5f;
-		} else {
-			high = share;
-			at_high = now;
-			at_low *= 0.5f;
+		(slope < 0.0f ? low : high) = share;
+		const float bend = (out.x != 0.0f ? squares.x : 0.0f) + (out.y != 0.0f ? squares.y : 0.0f) +
+				(out.z != 0.0f ? squares.z : 0.0f);
+		share = std::clamp(share - slope / std::max(bend, TINY), 0.0f, 1.0f);
+		if (share <= low || share >= high) {
+			share = 0.5f * (std::max(low, 0.0f) + std::min(high, 1.0f));
 		}
 	}
 	return share;

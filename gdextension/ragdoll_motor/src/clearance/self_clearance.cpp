@@ -10,9 +10,9 @@ namespace {
 // Passes over all contacts: from how the step before ended, and from nothing.
 constexpr int PASSES = 4;
 constexpr int FIRST_PASSES = 40;
-constexpr float DONE = 2e-4f; // Depth that is left, m.
+constexpr float DONE = 5e-4f; // Depth that is left, m.
 // Pairs with wider gaps than this (m) are not looked at in the passes.
-constexpr float NEAR = 0.03f;
+constexpr float NEAR = 0.01f;
 constexpr float FIRST_NEAR = 0.3f;
 // How fast a shift is given up that contacts then have to renew, s.
 constexpr float EASE_S = 0.2f;
@@ -312,9 +312,9 @@ void SelfClearance::move_chain(std::size_t p_chain) {
 	chain.upper_way = (chain.upper + chain.shift.middle) * chain.upper_rate;
 	chain.lower_way = (chain.lower + chain.shift.end - chain.shift.middle) * chain.lower_rate;
 	chain.moved = ChainShift{ chain.shift.middle - chain.looked.middle, chain.shift.end - chain.looked.end }.length();
-	for (std::size_t i = 0; i < _body.parts.size(); i++) {
-		if (_body.parts[i].chain == int(p_chain) && _places[i].step == _step) {
-			find_axis(i);
+	for (const int part : _body.chain_parts[p_chain]) {
+		if (_places[std::size_t(part)].step == _step) {
+			find_axis(std::size_t(part));
 		}
 	}
 }
