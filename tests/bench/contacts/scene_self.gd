@@ -51,7 +51,8 @@ func _hold(p_performer: ContactPerformer, p_name: String, p_number: int) -> void
 	var world: ContactWorld = make_world()
 	var person: ContactPerson = p_performer.enter(world, root)
 	var own: OwnLimbs = OwnLimbs.new(person)
-	world.add_floor(0.0)
+	if root == RagdollMotor.ROOT_GROUNDED:
+		world.add_floor(0.0)
 	var pose: Callable = func(time: float) -> PoseSample:
 		var share: float = ContactPoses.smooth((time - 0.3) / _ENTER_S)
 		return OwnPoses.pose(person, p_name, p_number, share)

@@ -106,9 +106,8 @@ void ClearanceBody::make_pairs(const Rig &p_rig) {
 			pair.other = std::int16_t(j);
 			pair.reach = mover.reach + other.reach;
 			pair.is_shared = parts[j].chain >= 0 && is_leg(parts[j]) == is_leg(parts[i]);
-			// Each pair once: the pill goes out of the box; of two of a kind, the first out of the second.
-			const bool is_twice = pair.is_shared && can_meet(p_rig, parts[j], parts[i]);
-			if (is_twice && (mover.is_box == other.is_box ? j < i : mover.is_box)) {
+			// Of boxes the axis alone knows the ends: it is looked at from both sides. Pills are the same from either.
+			if (j < i && pair.is_shared && !mover.is_box && !other.is_box && can_meet(p_rig, parts[j], parts[i])) {
 				continue;
 			}
 			const Approach found = approach_axis(mover.get_axis(), AxisFreedom(), other, other.get_axis());
