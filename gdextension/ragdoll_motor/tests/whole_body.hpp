@@ -70,7 +70,7 @@ inline std::vector<ragdoll::Segment> limbs(float p_scale = 1.0f) {
 		const int first = int(result.size());
 		add(part(CHEST, { 0.209f * side, 0.236f, 0.013f }, { 0.131f * side, 0.0f, 0.0f }, group),
 				pill(0.075f, 0.257f, true));
-		add(part(first, { 0.261f * side, 0.0f, 0.0f }, { 0.126f * side, 0.0f, 0.0f }, group),
+		add(part(first, { 0.261f * side, 0.0f, 0.0f }, { 0.126f * side, -0.01f, 0.014f }, group),
 				pill(0.057f, 0.249f, true));
 		add(part(first + 1, { 0.274f * side, 0.0f, 0.0f }, { 0.109f * side, 0.0f, 0.0f }, group),
 				box({ 0.176f, 0.065f, 0.115f }));

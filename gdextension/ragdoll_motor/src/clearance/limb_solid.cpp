@@ -207,6 +207,11 @@ float LimbSolid::find_distance(const Vec3 &p_point, const Vec3 &p_centre) const 
 	return (from - axes[1] * along).length() - half.x;
 }
 
+SolidAxis LimbSolid::find_axis(const Quat &p_orientation, const Vec3 &p_joint) const {
+	const Vec3 axis = _local_axes[1] * half.y;
+	return { p_joint + p_orientation.rotate(_local_centre - axis), p_orientation.rotate(axis * 2.0f) };
+}
+
 Vec3 LimbSolid::find_outside(int p_face, float p_distance) const {
 	const int axis = p_face / 2;
 	const float out = part(half, axis) + p_distance;

@@ -39,6 +39,8 @@ struct LimbSolid {
 	float find_distance(const Vec3 &p_point, const Vec3 &p_centre) const;
 	/// Where its axis lies.
 	SolidAxis get_axis() const { return { centre - axes[1] * half.y, axes[1] * (2.0f * half.y) }; }
+	/// Where its axis lies with its limb elsewhere.
+	SolidAxis find_axis(const Quat &p_orientation, const Vec3 &p_joint) const;
 	/// The place so far (m) outside the middle of a box's face.
 	Vec3 find_outside(int p_face, float p_distance) const;
 

@@ -10,17 +10,21 @@ namespace {
 // Passes over all contacts: from how the step before ended, and from nothing.
 constexpr int PASSES = 4;
 constexpr int FIRST_PASSES = 40;
-constexpr float DONE = 5e-4f; // Depth that is left, m.
+// Rounds that follow, as a turn tells only then where shapes beside the joints come to lie, and the time of each, s.
+constexpr int FIRST_ROUNDS = 3;
+constexpr float FIRST_S = 0.01f;
+constexpr float DONE = 2e-4f; // Depth that is left, m.
 // Pairs with wider gaps than this (m) are not looked at in the passes.
 constexpr float NEAR = 0.01f;
 constexpr float FIRST_NEAR = 0.3f;
 // How fast a shift is given up that contacts then have to renew, s.
 constexpr float EASE_S = 0.2f;
+constexpr float EASE_SPEED = 0.1f; // At most, m/s.
 // How fast it goes where the motion itself is clear, but not the way there, s.
 constexpr float FADE_S = 0.05f;
+constexpr float STRUGGLE = 0.005f; // Depth that is left, m.
 constexpr float FAR = 0.03f; // Of shifts that may be on the wrong side of the body, m.
 constexpr float FASTEST = 4.0f; // Of a shift, m/s.
-constexpr float NO_LIMIT = 1.0f; // Overlap with which nothing is moved, m.
 constexpr float LEAST_LEVER = 0.1f; // Square of a lever below which a push would turn a limb too far.
 
 } // namespace
@@ -44,7 +48,7 @@ void SelfClearance::advance(const Rig &p_rig, bool p_begins, float p_delta_s, Po
 		return;
 	}
 	if (p_begins || !_has_begun) {
-		solve(p_rig, true, p_delta_s, r_now);
+		solve_anew(p_rig, r_now);
 	} else {
 		for (std::size_t i = 0; i < _chains.size(); i++) {
 			if (_kept[i].is_moved == 0) {
@@ -65,7 +69,16 @@ void SelfClearance::advance(const Rig &p_rig, bool p_begins, float p_delta_s, Po
 void SelfClearance::clear(const Rig &p_rig, Pose &r_pose) {
 	_has_begun = false;
 	if (!_body.parts.empty() && overlap < NO_LIMIT) {
-		solve(p_rig, true, 0.0f, r_pose);
+		solve_anew(p_rig, r_pose);
+	}
+}
+
+void SelfClearance::solve_anew(const Rig &p_rig, Pose &r_pose) {
+	_wanted = r_pose;
+	solve(p_rig, true, 0.0f, r_pose);
+	for (int round = 0; round < FIRST_ROUNDS; round++) {
+		r_pose = _wanted;
+		solve(p_rig, false, FIRST_S, r_pose);
 	}
 }
 
@@ -93,10 +106,16 @@ void SelfClearance::begin(const Rig &p_rig, bool p_begins, const Pose &p_pose) {
 		chain.upper_way = chain.upper * chain.upper_rate;
 		chain.lower_way = chain.lower * chain.lower_rate;
 		chain.shift = {};
+		chain.biases[0] = {};
+		chain.biases[1] = {};
 		chain.length = 0.0f;
+		chain.left = 0.0f;
 		if (!p_begins && _kept[i].is_moved != 0) {
 			const int above = p_rig[std::size_t(limbs.upper)].parent;
-			chain.shift = _kept[i].shift.turned(p_pose.orientations[std::size_t(above)]);
+			const Quat &turn = p_pose.orientations[std::size_t(above)];
+			chain.shift = _kept[i].shift.turned(turn);
+			chain.biases[0] = { turn.rotate(_kept[i].upper.low), turn.rotate(_kept[i].upper.high) };
+			chain.biases[1] = { turn.rotate(_kept[i].lower.low), turn.rotate(_kept[i].lower.high) };
 			keep_lengths(chain.upper, chain.lower, chain.shift);
 			chain.upper_way = (chain.upper + chain.shift.middle) * chain.upper_rate;
 			chain.lower_way = (chain.lower + chain.shift.end - chain.shift.middle) * chain.lower_rate;
@@ -114,6 +133,9 @@ void SelfClearance::solve_pairs(
 	let_go(is_leg, p_delta_s);
 	for (int pass = 0; pass < (p_begins ? FIRST_PASSES : PASSES); pass++) {
 		bool is_pushed = false;
+		for (std::size_t i = 0; i < _chains.size(); i++) {
+			_chains[i].left = _body.chains[i].is_leg == is_leg ? 0.0f : _chains[i].left;
+		}
 		for (const Near &near : _near) {
 			is_pushed |= push_apart(near);
 		}
@@ -206,7 +228,10 @@ void SelfClearance::let_go(bool p_legs, float p_delta_s) {
 		}
 		// On the wrong side of the body: the way back is through it.
 		chain.is_fading = chain.is_free && chain.length > FAR;
-		const float eased = std::exp(-p_delta_s / (chain.is_fading ? FADE_S : EASE_S));
+		// Where contacts contradict each other, giving up a shift would feed their struggle.
+		const float calm = std::max(1.0f - _kept[i].left / STRUGGLE, 0.0f);
+		const float slow = std::max(1.0f - p_delta_s / EASE_S * calm, 1.0f - EASE_SPEED * p_delta_s / chain.length * calm);
+		const float eased = chain.is_fading ? std::exp(-p_delta_s / FADE_S) : slow;
 		const float left = std::min(eased, 1.0f - chain.room / chain.length);
 		chain.shift = left * chain.length > DONE ? chain.shift.scaled(left) : ChainShift();
 		move_chain(i);
@@ -227,6 +252,7 @@ bool SelfClearance::push_apart(const Near &p_near) {
 	if (nearest.depth < DONE) {
 		return false;
 	}
+	chain_of(p_pair.mover).left = std::max(chain_of(p_pair.mover).left, nearest.depth);
 	push(p_pair, nearest);
 	// Both ends besides: of limbs that lie along each other no single point is the nearest.
 	for (const float end : { 0.0f, 1.0f }) {
@@ -269,7 +295,6 @@ void SelfClearance::keep(const Rig &p_rig, bool p_begins, float p_delta_s, Pose 
 		Chain &chain = _chains[i];
 		Kept &kept = _kept[i];
 		const std::size_t above = std::size_t(p_rig[std::size_t(_body.chains[i].upper)].parent);
-		const Quat into = r_pose.orientations[above].inverse();
 		if (!p_begins && (!chain.shift.is_none() || kept.is_moved != 0)) {
 			const ChainShift before = kept.is_moved != 0 ? kept.shift.turned(r_pose.orientations[above]) : ChainShift();
 			const float most = FASTEST * p_delta_s;
@@ -278,11 +303,44 @@ void SelfClearance::keep(const Rig &p_rig, bool p_begins, float p_delta_s, Pose 
 		}
 		kept.is_moved = chain.shift.is_none() ? 0 : 1;
 		if (kept.is_moved != 0) {
-			const ChainTurn turn = turn_chain(p_rig, _body.chains[i], chain.shift, r_pose);
-			kept.shift = chain.shift.turned(into);
-			kept.turn = { into * turn.upper * into.inverse(), into * turn.lower * into.inverse() };
+			keep_turn(p_rig, i, r_pose);
 		}
 	}
+}
+
+void SelfClearance::keep_turn(const Rig &p_rig, std::size_t p_chain, Pose &r_pose) {
+	const Chain &chain = _chains[p_chain];
+	const TwoBoneChain &limbs = _body.chains[p_chain];
+	const Quat into = r_pose.orientations[std::size_t(p_rig[std::size_t(limbs.upper)].parent)].inverse();
+	const ChainTurn turn = turn_chain(p_rig, limbs, chain.shift, r_pose);
+	Kept &kept = _kept[p_chain];
+	kept.shift = chain.shift.turned(into);
+	kept.left = chain.left;
+	kept.turn = { into * turn.upper * into.inverse(), into * turn.lower * into.inverse() };
+	const Quat &upper = r_pose.orientations[std::size_t(limbs.upper)];
+	const Vec3 &first = _joints[std::size_t(limbs.upper)];
+	const Vec3 middle = first + upper.rotate(p_rig[std::size_t(limbs.lower)].anchor);
+	for (const int index : _body.chain_parts[p_chain]) {
+		const ClearancePart &part = _body.parts[std::size_t(index)];
+		if (part.solid.limb == limbs.end || _places[std::size_t(index)].step != _step) {
+			continue;
+		}
+		const bool is_upper = part.solid.limb == limbs.upper;
+		const Quat &now = r_pose.orientations[std::size_t(part.solid.limb)];
+		const Bias bias = find_bias(part, now, is_upper ? first : middle);
+		Bias &own = is_upper ? kept.upper : kept.lower;
+		own = Bias{ into.rotate(bias.low), into.rotate(bias.high) };
+	}
+}
+
+SelfClearance::Bias SelfClearance::find_bias(
+		const ClearancePart &p_part, const Quat &p_orientation, const Vec3 &p_joint) const {
+	const ChainShift &shift = _chains[std::size_t(p_part.chain)].shift;
+	const SolidAxis before = p_part.solid.get_axis();
+	const SolidAxis after = p_part.solid.find_axis(p_orientation, p_joint);
+	const Vec3 low = shift.middle * p_part.low.middle + shift.end * p_part.low.end;
+	const Vec3 high = shift.middle * p_part.high.middle + shift.end * p_part.high.end;
+	return { after.from - before.from - low, after.at(1.0f) - before.at(1.0f) - high };
 }
 
 void SelfClearance::turn_axes(const Pose &p_pose, int p_part) {
@@ -300,8 +358,14 @@ void SelfClearance::find_axis(std::size_t p_part) {
 	SolidAxis axis = part.solid.get_axis();
 	if (part.chain >= 0) {
 		const ChainShift &shift = _chains[std::size_t(part.chain)].shift;
-		const Vec3 low = shift.middle * part.low.middle + shift.end * part.low.end;
-		const Vec3 high = shift.middle * part.high.middle + shift.end * part.high.end;
+		Vec3 low = shift.middle * part.low.middle + shift.end * part.low.end;
+		Vec3 high = shift.middle * part.high.middle + shift.end * part.high.end;
+		const TwoBoneChain &limbs = _body.chains[std::size_t(part.chain)];
+		if (part.solid.limb != limbs.end) {
+			const Bias &bias = _chains[std::size_t(part.chain)].biases[part.solid.limb == limbs.upper ? 0 : 1];
+			low = low + bias.low;
+			high = high + bias.high;
+		}
 		axis = { axis.from + low, axis.way + high - low };
 	}
 	_places[p_part].axis = axis;

@@ -19,6 +19,8 @@ namespace ragdoll {
 /// a little of it in any case, which contacts then renew: so it comes to the shortest.
 class SelfClearance {
 public:
+	/// Overlap with which nothing is moved, m.
+	static constexpr float NO_LIMIT = 1.0f;
 	/// Greatest depth to which limbs may lie in each other, m, besides what they do in the rest pose. Flesh yields.
 	float overlap = 0.01f;
 
@@ -35,10 +37,18 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
+	/// What a limb's turn does to its axis besides the shift of its joints, as shapes do not lie quite between joints, m.
+	struct Bias {
+		Vec3 low;
+		Vec3 high;
+	};
 	/// What is kept from step to step, in the axes of what the chain hangs on.
 	struct Kept {
 		ChainShift shift;
 		ChainTurn turn;
+		Bias upper;
+		Bias lower;
+		float left = 0.0f; // Depth that the contacts were left with, m.
 		std::uint32_t is_moved = 0; // Of a size that leaves no gap: it is archived byte by byte.
 	};
 	struct Chain {
@@ -50,8 +60,10 @@ private:
 		Vec3 upper_way; // Along them as they are moved, unit vectors.
 		Vec3 lower_way;
 		float length = 0.0f; // Of the shift with which a step begins, m.
+		Bias biases[2]; // Of the upper and the lower limb, world axes.
 		ChainShift looked; // The shift with which pairs were looked at ...
 		float moved = 0.0f; // ... and how far it has gone since, m.
+		float left = 0.0f; // Deepest contact of the last pass, m.
 		float room = 0.0f; // Until the chain meets anything, m.
 		bool is_free = false; // The motion itself is clear of everything.
 		bool is_fading = false; // It goes back through the body.
@@ -77,6 +89,7 @@ private:
 		float square() const { return upper.dot(upper) + lower.dot(lower); }
 	};
 
+	void solve_anew(const Rig &p_rig, Pose &r_pose);
 	void solve(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose);
 	void begin(const Rig &p_rig, bool p_begins, const Pose &p_pose);
 	void solve_pairs(const Pose &p_pose, const std::vector<ClearancePair> &p_pairs, bool p_begins, float p_delta_s);
@@ -88,6 +101,8 @@ private:
 	bool push_apart(const Near &p_near);
 	void push(const ClearancePair &p_pair, const Contact &p_contact);
 	void keep(const Rig &p_rig, bool p_begins, float p_delta_s, Pose &r_pose);
+	void keep_turn(const Rig &p_rig, std::size_t p_chain, Pose &r_pose);
+	Bias find_bias(const ClearancePart &p_part, const Quat &p_orientation, const Vec3 &p_joint) const;
 
 	void turn_axes(const Pose &p_pose, int p_part);
 	void find_axis(std::size_t p_part);
@@ -107,6 +122,7 @@ private:
 	std::vector<Place> _places;
 	bool _has_begun = false;
 	// Kept between steps, so that a step allocates nothing.
+	Pose _wanted;
 	std::vector<Near> _near;
 	std::vector<Vec3> _joints;
 	std::uint32_t _step = 0;
