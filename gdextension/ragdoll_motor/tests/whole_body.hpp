@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "body/leg.hpp"
 #include "body/rig.hpp"
 
+#include <algorithm>
 #include <vector>
 
 /// A whole body with shapes for tests, of the measures of a broad adult in gear: it faces Z, its left is X, and its
@@ -86,6 +88,93 @@ inline std::vector<ragdoll::Segment> limbs(float p_scale = 1.0f) {
 		result.back().is_foot = true;
 	}
 	return result;
+}
+
+/// The rest pose.
+inline ragdoll::Pose rest() {
+	ragdoll::Pose pose;
+	pose.orientations.assign(COUNT, ragdoll::Quat());
+	return pose;
+}
+
+/// Brings the wrist of an arm to a place relative to the shoulder, in lengths of the arm, the elbow towards a
+/// direction, the fingers in another. For the left arm; the right one is mirrored.
+inline void bend_arm(const ragdoll::Rig &p_rig, bool p_left, ragdoll::Vec3 p_wrist, ragdoll::Vec3 p_elbow,
+		ragdoll::Vec3 p_fingers, ragdoll::Pose &r_pose) {
+	using namespace ragdoll;
+	const float side = p_left ? 1.0f : -1.0f;
+	const std::size_t upper = p_left ? LEFT_UPPER_ARM : RIGHT_UPPER_ARM;
+	const float a = p_rig[upper + 1].anchor.length();
+	const float b = p_rig[upper + 2].anchor.length();
+	for (Vec3 *vector : { &p_wrist, &p_elbow, &p_fingers }) {
+		vector->x *= side;
+	}
+	const float reach = std::clamp(p_wrist.length() * (a + b), 0.2f * a, 0.999f * (a + b));
+	const Vec3 ahead = p_wrist * (1.0f / p_wrist.length());
+	const Vec3 across = p_elbow - ahead * p_elbow.dot(ahead);
+	const float along = (a * a - b * b + reach * reach) / (2.0f * reach);
+	const float away = std::sqrt(std::max(a * a - along * along, 0.0f));
+	const Vec3 elbow = ahead * along + across * (away / across.length());
+	const Vec3 forearm = ahead * reach - elbow;
+	r_pose.orientations[upper] = rotation_between({ side, 0.0f, 0.0f }, elbow);
+	r_pose.orientations[upper + 1] = rotation_between(elbow, forearm) * r_pose.orientations[upper];
+	r_pose.orientations[upper + 2] = rotation_between(forearm, p_fingers) * r_pose.orientations[upper + 1];
+}
+
+/// Standing with arms that hang a little away from the body.
+inline ragdoll::Pose standing(const ragdoll::Rig &p_rig) {
+	ragdoll::Pose pose = rest();
+	for (const bool left : { true, false }) {
+		bend_arm(p_rig, left, { 0.5f, -0.8f, 0.2f }, { 0.0f, 0.0f, -1.0f }, { 0.1f, -1.0f, 0.1f }, pose);
+	}
+	return pose;
+}
+
+/// How deep points of a limb's axis, thick by its radius (of boxes: half of the least size), lie in another limb, m.
+inline float find_depth(const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose, std::size_t p_limb, std::size_t p_other) {
+	using namespace ragdoll;
+	std::vector<Vec3> joints;
+	p_rig.joint_positions(p_pose, joints);
+	const LimbShape &shape = p_rig[p_limb].shape;
+	const LimbShape &other = p_rig[p_other].shape;
+	const bool is_box = shape.type == LimbShape::Type::BOX;
+	const Vec3 half = is_box ? Vec3{ shape.half.x, 0.0f, 0.0f } : Vec3{ 0.0f, shape.half.y, 0.0f };
+	const float radius = is_box ? shape.half.y : shape.half.x;
+	const Quat turn = p_pose.orientations[p_limb] * shape.turn;
+	const Quat into = (p_pose.orientations[p_other] * other.turn).inverse();
+	const Vec3 centre = joints[p_limb] + p_pose.orientations[p_limb].rotate(p_rig[p_limb].centre) - joints[p_other] -
+			p_pose.orientations[p_other].rotate(p_rig[p_other].centre);
+	float deepest = -1.0f;
+	for (int point = 0; point < 9; point++) {
+		const Vec3 at = into.rotate(centre + turn.rotate(half * (float(point) / 4.0f - 1.0f)));
+		Vec3 out{ std::fabs(at.x) - other.half.x, std::fabs(at.y) - other.half.y, std::fabs(at.z) - other.half.z };
+		float outside = std::min(std::max({ out.x, out.y, out.z }), 0.0f);
+		if (other.type == LimbShape::Type::PILL) {
+			out = { at.x, at.y - std::clamp(at.y, -other.half.y, other.half.y), at.z };
+			outside = -other.half.x;
+		}
+		for (float *axis : { &out.x, &out.y, &out.z }) {
+			*axis = other.type == LimbShape::Type::PILL ? *axis : std::max(*axis, 0.0f);
+		}
+		deepest = std::max(deepest, radius - out.length() - outside);
+	}
+	return deepest;
+}
+
+/// The deepest of forearms and hands in trunk, head, legs and the other arm, m.
+inline float find_depth(const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose) {
+	float deepest = 0.0f;
+	for (const Part limb : { LEFT_LOWER_ARM, LEFT_HAND, RIGHT_LOWER_ARM, RIGHT_HAND }) {
+		for (int other = HIPS; other < COUNT; other++) {
+			const bool is_left = limb <= LEFT_HAND;
+			const bool is_own = is_left ? other >= LEFT_UPPER_ARM && other <= LEFT_HAND
+										: other >= RIGHT_UPPER_ARM && other <= RIGHT_HAND;
+			if (!is_own && other != LEFT_FOOT && other != RIGHT_FOOT) {
+				deepest = std::max(deepest, find_depth(p_rig, p_pose, limb, std::size_t(other)));
+			}
+		}
+	}
+	return deepest;
 }
 
 } // namespace whole_body

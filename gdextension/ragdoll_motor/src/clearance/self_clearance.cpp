@@ -13,7 +13,7 @@ constexpr int FIRST_PASSES = 40;
 // Rounds that follow, as a turn tells only then where shapes beside the joints come to lie, and the time of each, s.
 constexpr int FIRST_ROUNDS = 3;
 constexpr float FIRST_S = 0.01f;
-constexpr float DONE = 2e-4f; // Depth that is left, m.
+constexpr float DONE = 5e-5f; // Depth that is left, m.
 // Pairs with wider gaps than this (m) are not looked at in the passes.
 constexpr float NEAR = 0.01f;
 constexpr float FIRST_NEAR = 0.3f;
@@ -234,6 +234,9 @@ void SelfClearance::let_go(bool p_legs, float p_delta_s) {
 		const float eased = chain.is_fading ? std::exp(-p_delta_s / FADE_S) : slow;
 		const float left = std::min(eased, 1.0f - chain.room / chain.length);
 		chain.shift = left * chain.length > DONE ? chain.shift.scaled(left) : ChainShift();
+		if (!chain.shift.is_none()) {
+			keep_lengths(chain.upper, chain.lower, chain.shift);
+		}
 		move_chain(i);
 	}
 }
@@ -253,13 +256,19 @@ bool SelfClearance::push_apart(const Near &p_near) {
 		return false;
 	}
 	chain_of(p_pair.mover).left = std::max(chain_of(p_pair.mover).left, nearest.depth);
-	push(p_pair, nearest);
-	// Both ends besides: of limbs that lie along each other no single point is the nearest.
+	// Of limbs that lie along each other no single point is the nearest, or now one and now another: the ends come
+	// first, always.
+	bool is_end_pushed = false;
 	for (const float end : { 0.0f, 1.0f }) {
 		const Contact contact = meet_end(p_pair, end);
 		if (contact.depth > DONE) {
 			push(p_pair, contact);
+			is_end_pushed = true;
 		}
+	}
+	const Contact left = is_end_pushed ? meet(p_pair) : nearest;
+	if (left.depth > DONE) {
+		push(p_pair, left);
 	}
 	return true;
 }
