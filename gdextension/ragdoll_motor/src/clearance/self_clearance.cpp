@@ -17,9 +17,10 @@ constexpr float DONE = 5e-5f; // Depth that is left, m.
 // Pairs with wider gaps than this (m) are not looked at in the passes.
 constexpr float NEAR = 0.01f;
 constexpr float FIRST_NEAR = 0.3f;
-// How fast a shift is given up that contacts then have to renew, s.
-constexpr float EASE_S = 0.2f;
-constexpr float EASE_SPEED = 0.1f; // At most, m/s.
+// Of a shift so much is given up, which contacts then have to renew: by the motion's own way, so that who holds still
+// is not moved, and by no more than a speed, m/s.
+constexpr float EASE_SHARE = 0.5f;
+constexpr float EASE_SPEED = 0.2f;
 // How fast it goes where the motion itself is clear, but not the way there, s.
 constexpr float FADE_S = 0.05f;
 constexpr float STRUGGLE = 0.005f; // Depth that is left, m.
@@ -120,6 +121,8 @@ void SelfClearance::begin(const Rig &p_rig, bool p_begins, const Pose &p_pose) {
 			chain.upper_way = (chain.upper + chain.shift.middle) * chain.upper_rate;
 			chain.lower_way = (chain.lower + chain.shift.end - chain.shift.middle) * chain.lower_rate;
 			chain.length = chain.shift.length();
+			const ChainShift before = _kept[i].wanted.turned(turn);
+			chain.way = ChainShift{ chain.upper - before.middle, chain.upper + chain.lower - before.end }.length();
 		}
 	}
 }
@@ -230,8 +233,8 @@ void SelfClearance::let_go(bool p_legs, float p_delta_s) {
 		chain.is_fading = chain.is_free && chain.length > FAR;
 		// Where contacts contradict each other, giving up a shift would feed their struggle.
 		const float calm = std::max(1.0f - _kept[i].left / STRUGGLE, 0.0f);
-		const float slow = std::max(1.0f - p_delta_s / EASE_S * calm, 1.0f - EASE_SPEED * p_delta_s / chain.length * calm);
-		const float eased = chain.is_fading ? std::exp(-p_delta_s / FADE_S) : slow;
+		const float most = std::min(EASE_SHARE * chain.way, EASE_SPEED * p_delta_s) * calm;
+		const float eased = chain.is_fading ? std::exp(-p_delta_s / FADE_S) : 1.0f - most / std::max(chain.length, most);
 		const float left = std::min(eased, 1.0f - chain.room / chain.length);
 		chain.shift = left * chain.length > DONE ? chain.shift.scaled(left) : ChainShift();
 		if (!chain.shift.is_none()) {
@@ -324,6 +327,7 @@ void SelfClearance::keep_turn(const Rig &p_rig, std::size_t p_chain, Pose &r_pos
 	const ChainTurn turn = turn_chain(p_rig, limbs, chain.shift, r_pose);
 	Kept &kept = _kept[p_chain];
 	kept.shift = chain.shift.turned(into);
+	kept.wanted = ChainShift{ chain.upper, chain.upper + chain.lower }.turned(into);
 	kept.left = chain.left;
 	kept.turn = { into * turn.upper * into.inverse(), into * turn.lower * into.inverse() };
 	const Quat &upper = r_pose.orientations[std::size_t(limbs.upper)];

@@ -45,6 +45,7 @@ private:
 	/// What is kept from step to step, in the axes of what the chain hangs on.
 	struct Kept {
 		ChainShift shift;
+		ChainShift wanted; // From the first joint to the other two where the motion has them, m.
 		ChainTurn turn;
 		Bias upper;
 		Bias lower;
@@ -63,6 +64,7 @@ private:
 		Bias biases[2]; // Of the upper and the lower limb, world axes.
 		ChainShift looked; // The shift with which pairs were looked at ...
 		float moved = 0.0f; // ... and how far it has gone since, m.
+		float way = 0.0f; // How far the motion went in the step, m.
 		float left = 0.0f; // Deepest contact of the last pass, m.
 		float room = 0.0f; // Until the chain meets anything, m.
 		bool is_free = false; // The motion itself is clear of everything.
