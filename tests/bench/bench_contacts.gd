@@ -3,8 +3,8 @@ extends Bench
 ##
 ## Options: --scene=NAME (again for more; default all), --hz=60 (again for more; default 60, walls
 ## at 120 too), --bvh=FILE (again for more; default the three clips in assets/motion),
-## --body=soldier|file (default both), --root=held|soft|grounded, --gain=50 (1/s), --mode=velocity_motor
-## (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll).
+## --body=soldier|file (default both), --root=held|soft|grounded, --gain=50 (1/s),
+## --mode=velocity_motor (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll).
 
 const _SCENES: Dictionary[String, GDScript] = {
 	"jitter": preload("contacts/scene_jitter.gd"),

@@ -342,8 +342,9 @@ bool Driver::read(ArchiveReader &p_archive) {
 	_torques.clear();
 	return p_archive.get(_arrival_s) && _watch.restore(p_archive) && _getting_up.restore(p_archive) &&
 			_held_root.restore(p_archive) && _frame.restore(p_archive) && _clearance.restore(p_archive) &&
-			_tether.restore(p_archive) && _travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
-			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
+			_tether.restore(p_archive) && _travel.restore(p_archive) && _balance.restore(p_archive) &&
+			_stream.restore(p_archive) && _table.restore(p_archive) && _controller.restore(p_archive) &&
+			_pushes.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -255,6 +255,7 @@ TEST(a_driver_drives_to_where_the_limbs_are_clear) {
 	Mover mover;
 	cross_arms(mover);
 	std::vector<int> groups;
+	groups.reserve(mover.rig.size());
 	for (std::size_t i = 0; i < mover.rig.size(); i++) {
 		groups.push_back(mover.rig[i].group);
 	}

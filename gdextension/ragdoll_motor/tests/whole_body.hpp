@@ -131,7 +131,8 @@ inline ragdoll::Pose standing(const ragdoll::Rig &p_rig) {
 }
 
 /// How deep points of a limb's axis, thick by its radius (of boxes: half of the least size), lie in another limb, m.
-inline float find_depth(const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose, std::size_t p_limb, std::size_t p_other) {
+inline float find_depth(
+		const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose, std::size_t p_limb, std::size_t p_other) {
 	using namespace ragdoll;
 	std::vector<Vec3> joints;
 	p_rig.joint_positions(p_pose, joints);

@@ -65,7 +65,10 @@ func _depth(p_pair: Vector3i, p_bodies: Array[Transform3D]) -> float:
 	var shape: Transform3D = _shape(p_pair.x, p_bodies)
 	var joint: Vector3 = _person.joint(p_pair.x, p_bodies)
 	# From the joint on, whichever end of the shape that is.
-	if (shape * Vector3(0.0, half, 0.0)).distance_to(joint) < (shape * Vector3(0.0, -half, 0.0)).distance_to(joint):
+	if (
+		(shape * Vector3(0.0, half, 0.0)).distance_to(joint)
+		< (shape * Vector3(0.0, -half, 0.0)).distance_to(joint)
+	):
 		half = -half
 	var into: Transform3D = _shape(p_pair.y, p_bodies).affine_inverse() * shape
 	var deepest: float = 0.0

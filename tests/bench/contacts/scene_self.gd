@@ -43,7 +43,9 @@ func play(p_performer: ContactPerformer) -> void:
 	}
 	for name: String in _NAMES:
 		report.add(case, name + ", median", _results[name].percentile(0.5), _NAMES[name])
-		report.at_most(case, name + ", worst", _results[name].percentile(1.0), _NAMES[name], goals[name])
+		report.at_most(
+			case, name + ", worst", _results[name].percentile(1.0), _NAMES[name], goals[name]
+		)
 	report.at_most(case, "fallen", _fallen, "", 0.0)
 
 
@@ -65,13 +67,11 @@ func _hold(p_performer: ContactPerformer, p_name: String, p_number: int) -> void
 			_entering.add(own.depth(person.bodies()) * 1000.0)
 			return false
 	)
-	await _measure(world, person, own, p_name)
+	await _measure(world, person, own)
 	await end_world(world)
 
 
-func _measure(
-	p_world: ContactWorld, p_person: ContactPerson, p_own: OwnLimbs, p_name: String
-) -> void:
+func _measure(p_world: ContactWorld, p_person: ContactPerson, p_own: OwnLimbs) -> void:
 	var deepest: Array[float] = [0.0]
 	var error: Array[float] = [0.0]
 	var squares: PackedFloat64Array = []
@@ -101,5 +101,3 @@ func _measure(
 	_results["tremble"].add(tremble)
 	if p_person.bodies()[0].origin.y < wanted[0].origin.y - 0.3:
 		_fallen += 1
-	if OS.get_environment("OWN_VERBOSE") != "":
-		print("%s: motion %.0f mm, body %.0f mm (%s), error %.1f, tremble %.1f, turned %.0f" % [p_name, p_own.depth(wanted) * 1000.0, deepest[0] * 1000.0, p_own.worst_pair(p_person.bodies()), rad_to_deg(error[0]), tremble, rad_to_deg(turned)])

@@ -38,8 +38,8 @@ struct ClearancePair {
 	bool is_shared = false; ///< Both are moved; otherwise the other one stays.
 };
 
-/// What of a body has to keep clear of what: forearms and hands of trunk, head, legs and the other arm; thighs and shins
-/// of the other leg. Limbs of one chain, and upper arms against the trunk, meet by build.
+/// What of a body has to keep clear of what: forearms and hands of trunk, head, legs and the other arm; thighs and
+/// shins of the other leg. Limbs of one chain, and upper arms against the trunk, meet by build.
 struct ClearanceBody {
 	std::vector<TwoBoneChain> chains;
 	std::vector<ClearancePart> parts;

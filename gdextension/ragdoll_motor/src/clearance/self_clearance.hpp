@@ -37,7 +37,8 @@ public:
 	bool restore(ArchiveReader &p_archive);
 
 private:
-	/// What a limb's turn does to its axis besides the shift of its joints, as shapes do not lie quite between joints, m.
+	/// What a limb's turn does to its axis besides the shift of its joints, as shapes do not lie quite between joints,
+	/// m.
 	struct Bias {
 		Vec3 low;
 		Vec3 high;
