@@ -39,7 +39,10 @@ void ease_limbs(const Rig &p_rig, const CompositeInertia &p_inertia, const RigSt
 		const Quat wanted = p_now.orientations[parent].inverse() * p_now.orientations[i];
 		const Vec3 error = log(actual.inverse() * wanted);
 		const Vec3 turning = p_state.orientations[i].inverse().rotate(p_state.angular[i] - p_state.angular[parent]);
-		const Vec3 velocity = (turning + error * (step * step / p_delta_s)) * (1.0f / ((1.0f + step) * (1.0f + step)));
+		const Quat next = p_next.orientations[parent].inverse() * p_next.orientations[i];
+		const Vec3 forward = log(wanted.inverse() * next) * (1.0f / p_delta_s);
+		const Vec3 pull = turning - forward + error * (step * step / p_delta_s);
+		const Vec3 velocity = forward + pull * (1.0f / ((1.0f + step) * (1.0f + step)));
 		const float spring = (velocity - turning).scaled(p_inertia[i]).length() / p_delta_s;
 		const float most = std::min(spring + FRICTION * command.max_torque, command.max_torque);
 		command.velocity = command.velocity + (velocity - command.velocity) * p_share;
