@@ -51,7 +51,7 @@ func test_it_flinches_from_a_ball_and_comes_back() -> void:
 	ball.mass = 5.0
 	ball.collision_layer = PhysicsLayers.PROPS
 	ball.collision_mask = PhysicsLayers.ALL
-	ball.position = player.joint(CHEST) + Vector3(0.0, 0.1, 0.8)
+	ball.position = player.joint(CHEST) + Vector3(0.0, 0.2, 0.8)
 	ball.linear_velocity = Vector3.FORWARD * 10.0
 	_stage.add_child(ball)
 	var most: Array[float] = [0.0]
