@@ -88,7 +88,9 @@ func _put_in_front(p_world: ContactWorld, p_person: ContactPerson, p_kind: Strin
 			var place: Vector3 = Vector3(0.0, y, tip - 0.05)
 			p_world.add_block(Vector3(2.0, 0.05, 0.5), Transform3D(Basis(), place))
 		"crate":
-			var at: Vector3 = Vector3(0.0, targets[hand].origin.y + 0.3, targets[hand].origin.z - 0.08)
+			var at: Vector3 = Vector3(
+				0.0, targets[hand].origin.y + 0.3, targets[hand].origin.z - 0.08
+			)
 			var size: Vector3 = Vector3(0.4, 0.3, 0.3)
 			p_world.add_crate(size, at, _random.randf_range(3.0, 10.0))
 
@@ -102,9 +104,7 @@ func _ahead(p_person: ContactPerson) -> Dictionary[StringName, Quaternion]:
 ## Forearms crossed in front of the chest.
 func _crossed(p_person: ContactPerson) -> Dictionary[StringName, Quaternion]:
 	var inward: float = _random.randf_range(0.6, 0.85)
-	return _arms(
-		p_person, func(sign: float) -> Vector3: return Vector3(-sign * inward, -0.3, 0.42)
-	)
+	return _arms(p_person, func(sign: float) -> Vector3: return Vector3(-sign * inward, -0.3, 0.42))
 
 
 ## Both arms around somebody in front.
@@ -120,9 +120,7 @@ func _arms(p_person: ContactPerson, p_place: Callable) -> Dictionary[StringName,
 	for side: String in _SIDES:
 		var sign: float = 1.0 if side == "Left" else -1.0
 		var reach: Vector3 = p_place.call(sign) * p_person.arm_length(side)
-		turns.merge(
-			ContactPoses.arm(p_person, side, reach, Vector3(sign, -0.6, 0.0), Vector3.ZERO)
-		)
+		turns.merge(ContactPoses.arm(p_person, side, reach, Vector3(sign, -0.6, 0.0), Vector3.ZERO))
 	return turns
 
 
