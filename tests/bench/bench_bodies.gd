@@ -10,7 +10,8 @@ static func soldier(p_root: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT) -> R
 	return ragdoll
 
 
-## A body of the measures of a motion file's skeleton, not yet in the tree.
+## A body of the measures of a motion file's skeleton, not yet in the tree; without a profile and
+## bones if the skeleton describes none.
 static func of_clip(
 	p_source: BvhSource, p_root: RagdollMotor.RootMode = RagdollMotor.ROOT_SOFT
 ) -> Ragdoll:
@@ -18,7 +19,8 @@ static func of_clip(
 	var skeleton: Skeleton3D = BvhSkeleton.make(p_source.rig)
 	ragdoll.add_child(skeleton)
 	ragdoll.profile = SkeletonShapes.describe(skeleton)
-	RagdollBuilder.build(skeleton, ragdoll.profile)
+	if ragdoll.profile != null:
+		RagdollBuilder.build(skeleton, ragdoll.profile)
 	ragdoll.root_mode = p_root
 	return ragdoll
 

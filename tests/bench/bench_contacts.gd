@@ -3,8 +3,8 @@ extends Bench
 ##
 ## Options: --scene=NAME (again for more; default all), --hz=60 (again for more; default 60, walls
 ## at 120 too), --bvh=FILE (again for more; default the three clips in assets/motion),
-## --body=soldier|file (default both), --root=held|soft, --gain=50 (1/s), --mode=velocity_motor
-## (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll).
+## --body=soldier|file (default both), --root=held|soft|grounded, --gain=50 (1/s),
+## --mode=velocity_motor (or another that bench_tracking knows), --set=PROPERTY=NUMBER (of Ragdoll).
 
 const _SCENES: Dictionary[String, GDScript] = {
 	"jitter": preload("contacts/scene_jitter.gd"),
@@ -14,12 +14,16 @@ const _SCENES: Dictionary[String, GDScript] = {
 	"fist": preload("contacts/scene_fist.gd"),
 	"hug": preload("contacts/scene_hug.gd"),
 	"crate": preload("contacts/scene_crate.gd"),
+	"self": preload("contacts/scene_self.gd"),
+	"touch": preload("contacts/scene_touch.gd"),
 }
 ## Scenes in which the motion comes from the clip; in others one of each build plays.
 const _FROM_CLIPS: Array[String] = ["jitter", "wall", "fist"]
 ## Scenes that are also played at 120 Hz, and those that are played with both kinds of root.
 const _FAST_TOO: Array[String] = ["wall"]
 const _BOTH_ROOTS: Array[String] = ["jitter"]
+## Scenes that are played on the own feet, as sessions are, besides.
+const _GROUNDED_TOO: Array[String] = ["self", "touch"]
 const TrackingCase: GDScript = preload("tracking/tracking_case.gd")
 
 ## Clips that are shorter hold no movement to measure, s.
@@ -35,7 +39,7 @@ func options() -> Dictionary:
 		"hz": ["", 10, 1000],
 		"bvh": "",
 		"body": ["", ["soldier", "file"]],
-		"root": ["", ["held", "soft"]],
+		"root": ["", ["held", "soft", "grounded"]],
 		"gain": 50.0,
 		"mode": ["velocity_motor", TrackingCase.MODES],
 		"set": ""
@@ -59,6 +63,8 @@ func measure() -> void:
 
 func _play(p_name: String) -> void:
 	var roots: Array = ["held", "soft"] if p_name in _BOTH_ROOTS else ["soft"]
+	if p_name in _GROUNDED_TOO:
+		roots = ["grounded", "soft"]
 	for rate: String in values("hz", ["60", "120"] if p_name in _FAST_TOO else ["60"]):
 		Engine.physics_ticks_per_second = rate.to_int()
 		for root_name: String in values("root", roots):

@@ -1,17 +1,17 @@
 extends Bench
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|platforms|town
-## (again for more; default all),
-## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default
-## grounded), --bvh=FILE (of the scenes clip and blocked, again for more; default the clips in
-## assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
-## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --world=NAME, --way=KIND (of the
-## scene town; KIND again for more; default all).
+## Options: --scene=stand|clip|gaits|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|
+## platforms or town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|
+## pendulum|self_righting (default grounded), --bvh=FILE (of the scenes clip, gaits and blocked,
+## again for more; default the clips in assets/motion), --obstacle=wall|corner|table|door (of
+## blocked, again for more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for
+## more), --world=NAME, --way=KIND (of the scene town; KIND again for more; default all).
 
 const _SCENES: Array[String] = [
 	"stand",
 	"clip",
+	"gaits",
 	"push",
 	"rise",
 	"ball",
@@ -72,6 +72,9 @@ func _play(p_name: String) -> void:
 		"clip":
 			for file: String in BenchArguments.clips(arguments):
 				await _clip(file)
+		"gaits":
+			for file: String in BenchArguments.clips(arguments):
+				await _gaits(file)
 		"push":
 			await _push()
 		"rise":
@@ -84,6 +87,16 @@ func _play(p_name: String) -> void:
 			await _town()
 		_:
 			await GroundWalks.new(self, report, option("hz"), root_mode(), _soldier()).call(p_name)
+
+
+## A clip on ground that its wearer does not have.
+func _gaits(p_file: String) -> void:
+	var performer: ContactPerformer = _open(p_file)
+	if performer == null:
+		return
+	var gaits: GroundGaits = GroundGaits.new(self, report, option("hz"), root_mode())
+	for kind: String in GroundGaits.KINDS:
+		await gaits.walk(performer, kind, "%s on %s" % [p_file.get_file(), kind])
 
 
 func _begin(p_performer: ContactPerformer) -> GroundRun:
@@ -207,3 +220,6 @@ func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> voi
 	report.at_most(p_case, "force from outside p95", force, "% of weight", 8.0)
 	report.at_most(p_case, "error", GroundRun.mean(p_run.errors), "deg", 2.0)
 	report.at_most(p_case, "error above the legs", GroundRun.mean(p_run.upper), "deg", 1.2)
+	report.at_most(
+		p_case, "body to wearer p99", GroundRun.percentile(p_run.distances, 0.99), "m", 0.3
+	)

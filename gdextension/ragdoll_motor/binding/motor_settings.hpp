@@ -20,6 +20,7 @@ struct MotorSettings {
 	double arm_inertia_scale = 2.5;
 	double max_energy = 60.0; ///< J/kg
 	int64_t ground_mask = 5; ///< World and props, not people.
+	double self_overlap = 0.01; ///< m
 	bool self_collision = false;
 	bool anatomical_limits = false;
 	bool measures_torque = false;

@@ -189,6 +189,10 @@ PackedFloat32Array RagdollMotor::get_limb_errors() {
 	return _ragdoll ? to_packed(_ragdoll->get_driver().find_errors(_ragdoll->get_state())) : PackedFloat32Array();
 }
 
+PackedFloat32Array RagdollMotor::get_limb_clearances() const {
+	return _ragdoll ? to_packed(_ragdoll->get_driver().get_clearance().find_turns()) : PackedFloat32Array();
+}
+
 void RagdollMotor::set_frame(const Transform3D &p_frame) {
 	ERR_FAIL_COND_MSG(!_ragdoll, "RagdollMotor: call setup() first.");
 	ERR_FAIL_COND_MSG(!p_frame.is_finite(), "RagdollMotor: a frame is finite.");
@@ -258,6 +262,7 @@ void RagdollMotor::bind_measurement() {
 	ClassDB::bind_method(D_METHOD("get_tracking"), &RagdollMotor::get_tracking);
 	ClassDB::bind_method(D_METHOD("clear_tracking"), &RagdollMotor::clear_tracking);
 	ClassDB::bind_method(D_METHOD("get_limb_errors"), &RagdollMotor::get_limb_errors);
+	ClassDB::bind_method(D_METHOD("get_limb_clearances"), &RagdollMotor::get_limb_clearances);
 	ClassDB::bind_method(D_METHOD("get_limb_torques"), &RagdollMotor::get_limb_torques);
 	ClassDB::bind_method(D_METHOD("get_limb_saturations"), &RagdollMotor::get_limb_saturations);
 	ClassDB::bind_method(D_METHOD("set_frame", "frame"), &RagdollMotor::set_frame);
@@ -290,6 +295,8 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_inertia_scale"), &RagdollMotor::get_inertia_scale);
 	ClassDB::bind_method(D_METHOD("set_arm_inertia_scale", "scale"), &RagdollMotor::set_arm_inertia_scale);
 	ClassDB::bind_method(D_METHOD("get_arm_inertia_scale"), &RagdollMotor::get_arm_inertia_scale);
+	ClassDB::bind_method(D_METHOD("set_self_overlap", "overlap"), &RagdollMotor::set_self_overlap);
+	ClassDB::bind_method(D_METHOD("get_self_overlap"), &RagdollMotor::get_self_overlap);
 	ClassDB::bind_method(D_METHOD("set_self_collision", "enabled"), &RagdollMotor::set_self_collision);
 	ClassDB::bind_method(D_METHOD("has_self_collision"), &RagdollMotor::has_self_collision);
 	ClassDB::bind_method(D_METHOD("set_anatomical_limits", "enabled"), &RagdollMotor::set_anatomical_limits);
@@ -378,6 +385,8 @@ void RagdollMotor::_bind_methods() {
 			"get_inertia_scale");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "arm_inertia_scale", PROPERTY_HINT_RANGE, "1,10,0.1"),
 			"set_arm_inertia_scale", "get_arm_inertia_scale");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "self_overlap", PROPERTY_HINT_RANGE, "0,1,0.001,suffix:m"),
+			"set_self_overlap", "get_self_overlap");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "self_collision"), "set_self_collision", "has_self_collision");
 	ADD_PROPERTY(PropertyInfo(Variant::BOOL, "anatomical_limits"), "set_anatomical_limits", "has_anatomical_limits");
 	ADD_PROPERTY(PropertyInfo(Variant::PACKED_INT32_ARRAY, "sample_slots"), "set_sample_slots", "get_sample_slots");

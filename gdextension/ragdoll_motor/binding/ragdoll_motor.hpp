@@ -113,6 +113,7 @@ public:
 	Dictionary get_tracking() const { return report().get_tracking(); }
 	void clear_tracking();
 	PackedFloat32Array get_limb_errors();
+	PackedFloat32Array get_limb_clearances() const;
 	PackedFloat32Array get_limb_torques() const { return report().get_limb_torques(); }
 	PackedFloat32Array get_limb_saturations() const { return report().get_limb_saturations(); }
 	void set_frame(const Transform3D &p_frame);
@@ -148,6 +149,8 @@ public:
 	double get_inertia_scale() const { return _settings.inertia_scale; }
 	void set_arm_inertia_scale(double p_scale) { change_scale(_settings.arm_inertia_scale, p_scale); }
 	double get_arm_inertia_scale() const { return _settings.arm_inertia_scale; }
+	void set_self_overlap(double p_overlap) { change_amount(_settings.self_overlap, p_overlap, "an overlap"); }
+	double get_self_overlap() const { return _settings.self_overlap; }
 	void set_self_collision(bool p_enabled) { _settings.self_collision = p_enabled; }
 	bool has_self_collision() const { return _settings.self_collision; }
 	void set_anatomical_limits(bool p_enabled) { _settings.anatomical_limits = p_enabled; }

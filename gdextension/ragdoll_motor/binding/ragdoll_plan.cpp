@@ -23,6 +23,20 @@ String find_body_fault(const TypedArray<RID> &p_bodies, const RID &p_space) {
 	return String();
 }
 
+/// A limb's shape in the axes of its body.
+ragdoll::LimbShape find_shape(const ragdoll::Limb &p_limb) {
+	ragdoll::LimbShape shape;
+	shape.turn = p_limb.rest_orientation.inverse() * p_limb.orientation;
+	if (p_limb.type == ragdoll::Limb::BOX) {
+		shape.type = ragdoll::LimbShape::Type::BOX;
+		shape.half = p_limb.size * 0.5f;
+	} else {
+		shape.type = ragdoll::LimbShape::Type::PILL;
+		shape.half = { p_limb.radius, p_limb.length * 0.5f, p_limb.radius };
+	}
+	return shape;
+}
+
 } // namespace
 
 String RagdollPlan::find_fault(const Ref<RagdollProfile> &p_profile, const TypedArray<RID> &p_bodies,
@@ -73,6 +87,7 @@ void RagdollPlan::add_limb(const Ref<RagdollProfile> &p_profile, int p_index, co
 	limb.inertia = to_core(source->get_body_inertia(limb.mass));
 	limb.max_torque = float(source->get_max_torque());
 	limb.is_foot = source->get_is_foot();
+	limb.shape = find_shape(source->to_core());
 	if (!find_group(source->get_group(), limb.group) || limb.group < 0) {
 		limb.group = int(_groups.size());
 		_groups.push_back(source->get_group());

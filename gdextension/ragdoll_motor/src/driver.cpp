@@ -29,14 +29,15 @@ Driver::Driver(Rig p_rig, const std::vector<int> &p_groups, std::size_t p_group_
 		_rig(std::move(p_rig)),
 		_contacts(p_contacts),
 		_stream(_rig.size()),
+		_clearance(_rig),
 		_table(p_groups, p_group_count),
 		_controller(_rig, make_thesis_joints),
 		_pushes(_rig),
 		_travel(_rig, p_contacts, make_travel),
 		_balance(_rig, p_contacts),
+		_surfaces(_rig),
 		_torques(_rig.size()),
 		_arrival(_rig.size()),
-		_surfaces(_rig),
 		_errors(_rig.size(), 0.0f) {
 	_commands.orientations.resize(_rig.size());
 	_commands.joints.resize(_rig.size());
@@ -80,6 +81,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	if (is_seated) {
 		_frame.move(_now);
 	}
+	_clearance.advance(_rig, begins || is_teleported || has_come_back || is_seated, p_delta_s, _now, _next);
 	bool finds_anew = finds_travel(root_mode) && _travel.get_mode() != root_mode;
 	const bool must_jump =
 			hold_back(r_state, begins || is_seated, has_come_back || is_teleported || is_seated, goes_on, p_delta_s);
@@ -233,7 +235,8 @@ void Driver::compute_limbs(const RigState &p_state, float p_delta_s) {
 	}
 	_controller.compute(p_state, _now, _next, p_delta_s, _table, _commands.limbs);
 	if (is_grounded) {
-		ease_limbs(_rig, _balance, p_state, _now, _next, p_delta_s, _commands.limbs);
+		ease_limbs(_rig, _controller.get_inertia(), p_state, _now, _next, _balance.get_ease(),
+				_balance.settings.ease_frequency, p_delta_s, _commands.limbs);
 	}
 }
 
@@ -302,6 +305,7 @@ void Driver::forget() {
 void Driver::pose_state(double p_time_s, RigState &r_state) {
 	_stream.predict(p_time_s, _now);
 	_frame.to_world(_now);
+	_clearance.clear(_rig, _now);
 	_next = _now;
 	put_into_pose(r_state);
 }
@@ -355,6 +359,7 @@ void Driver::save(ArchiveWriter &p_archive) const {
 	_getting_up.save(p_archive);
 	_held_root.save(p_archive);
 	_frame.save(p_archive);
+	_clearance.save(p_archive);
 	_surfaces.save(p_archive);
 	_tether.save(p_archive);
 	_travel.save(p_archive);
@@ -388,9 +393,10 @@ bool Driver::read(ArchiveReader &p_archive) {
 	_torques.clear();
 	return _arrival.restore(p_archive) && p_archive.get(_steady_offset) && p_archive.get(_stood) &&
 			_watch.restore(p_archive) && _getting_up.restore(p_archive) && _held_root.restore(p_archive) &&
-			_frame.restore(p_archive) && _surfaces.restore(p_archive) && _tether.restore(p_archive) &&
-			_travel.restore(p_archive) && _balance.restore(p_archive) && _stream.restore(p_archive) &&
-			_table.restore(p_archive) && _controller.restore(p_archive) && _pushes.restore(p_archive);
+			_frame.restore(p_archive) && _clearance.restore(p_archive) && _surfaces.restore(p_archive) &&
+			_tether.restore(p_archive) && _travel.restore(p_archive) && _balance.restore(p_archive) &&
+			_stream.restore(p_archive) && _table.restore(p_archive) && _controller.restore(p_archive) &&
+			_pushes.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -3,6 +3,7 @@
 
 #include "balance/balance.hpp"
 #include "body/energy_guard.hpp"
+#include "clearance/self_clearance.hpp"
 #include "control/limb_pushes.hpp"
 #include "gait/root_travel.hpp"
 #include "joint/controller.hpp"
@@ -70,6 +71,9 @@ public:
 	const ActuationTable &get_table() const { return _table; }
 	Controller &get_controller() { return _controller; }
 	EnergyGuard &get_guard() { return _guard; }
+	/// What keeps the motion's limbs out of its own body.
+	SelfClearance &get_clearance() { return _clearance; }
+	const SelfClearance &get_clearance() const { return _clearance; }
 	TrackingMeter &get_meter() { return _meter; }
 	const TrackingMeter &get_meter() const { return _meter; }
 	const TorqueMeter &get_torques() const { return _torques; }
@@ -169,6 +173,7 @@ private:
 	PoseStream _stream;
 	StreamWatch _watch;
 	CarriedFrame _frame; // In which the motion happens.
+	SelfClearance _clearance;
 	ActuationTable _table;
 	Controller _controller;
 	LimbPushes _pushes;

@@ -31,6 +31,9 @@ const PEOPLE: StringName = &"people"
 ## Speed of the motion at which a joint has hardly any torque left besides what the motion needs, as
 ## in muscles: a blow pushes no more than an arm can. 0 leaves it all torque at any speed.
 @export_range(0.0, 60.0, 0.5, "suffix:rad/s") var muscle_speed: float = 8.0
+## Greatest depth to which targets of arms and legs may lie in the own body; what lies deeper in the
+## motion is moved out. 1 leaves the motion as it is.
+@export_range(0.0, 1.0, 0.001, "suffix:m") var self_overlap: float = 0.01
 ## Whether the person's own limbs collide with each other.
 @export var self_collision: bool = false
 ## Whether joints are limited to what people's joints can do.
@@ -333,6 +336,7 @@ func _start_motor(p_bones: Array[PhysicalBone3D]) -> bool:
 	motor.standing_torque = standing_torque
 	motor.inertia_scale = inertia_scale
 	motor.arm_inertia_scale = arm_inertia_scale
+	motor.self_overlap = self_overlap
 	motor.self_collision = self_collision
 	motor.anatomical_limits = anatomical_limits
 	motor.sample_slots = slots

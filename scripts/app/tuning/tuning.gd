@@ -113,7 +113,16 @@ func describe() -> String:
 		"%.1f s    since the last change: mean error %.1f deg, p95 %.1f deg, lag %.0f ms"
 		+ "    guard actions: %s    flying: %s    %d fps"
 	)
-	return form % stats + _describe_balance(motor.get_balance())
+	var clearance: String = _describe_clearance(motor.get_limb_clearances())
+	return form % stats + clearance + _describe_balance(motor.get_balance())
+
+
+## By how much arms and legs were turned to keep out of the own body; nothing where none was.
+static func _describe_clearance(p_turns: PackedFloat32Array) -> String:
+	var most: float = 0.0
+	for turn: float in p_turns:
+		most = maxf(most, turn)
+	return "" if most == 0.0 else "    own limbs kept apart by %.0f deg" % rad_to_deg(most)
 
 
 ## What a grounded body does for its balance; nothing for others.

@@ -7,8 +7,6 @@ extends RefCounted
 ## nothing. Lengths are taken from the motion where there is one, as position channels can replace
 ## what the file says about the rest pose.
 
-## Maximum of frames that are looked at.
-const MAX_FRAMES: int = 48
 ## People's legs are 1.0 (a small child) to 2.8 times as long as the trunk, with files that lack
 ## vertebrae; those of dogs, elephants and horses 0.6 to 1.0.
 const MIN_LEG_BY_TRUNK: float = 0.5
@@ -18,11 +16,14 @@ const FOUR_LEGS_BY_TRUNK: float = 1.15
 ## legs of the animals 0.85 and more.
 const MAX_ARM_BY_LEG: float = 1.8
 const FOUR_LEGS_ARM_BY_LEG: float = 0.8
-## Limbs that are as an animal's in both ways are one's, whatever the pose.
+## Limbs that are as an animal's in both ways are one's, unless the body is upright: cartoons
+## with a large head and short legs have such limbs too.
 const ANIMAL_BY_TRUNK: float = 0.85
 const ANIMAL_ARM_BY_LEG: float = 0.9
-## A trunk that makes less than 70 degrees with the legs, most of the time, lies across them.
+## A trunk that makes less than 70 degrees with the legs, most of the time, lies across them; one
+## that makes more than 135 degrees with them is upright.
 const ACROSS: float = 0.35
+const UPRIGHT: float = 0.7
 
 ## Length of thigh and shank together, hip joint to ankle, file units.
 var leg: float = 0.0
@@ -54,28 +55,20 @@ func _init(p_clip: BvhClip, p_map: HumanoidMap) -> void:
 		for joint: int in table:
 			if joint >= 0 and not joint in _body:
 				_body.append(joint)
-	var kinematics: BvhKinematics = BvhKinematics.new(p_clip.joints, p_clip.positions_add_offset)
-	kinematics.rest()
-	var rest: PackedVector3Array = kinematics.positions()
+	var rest: PackedVector3Array = BvhPoses.rest(p_clip)
 	rest_trunk = _trunk(rest).normalized()
 	rest_legs = _legs(rest).normalized()
-	_measure([rest])
-	var count: int = mini(p_clip.frame_count, MAX_FRAMES)
-	var poses: Array[PackedVector3Array] = []
-	for index: int in count:
-		# From the middle of equal parts: a first frame is in the rest pose in many files.
-		var frame: int = (2 * index + 1) * p_clip.frame_count / (2 * count)
-		kinematics.solve(p_clip.values, frame * p_clip.channel_count)
-		poses.append(kinematics.positions())
-		_look(poses[-1])
-	if count > 0:
-		_measure(poses)
+	var poses: Array[PackedVector3Array] = BvhPoses.spread(p_clip)
+	_measure(poses)
+	if p_clip.frame_count > 0:
+		for pose: PackedVector3Array in poses:
+			_look(pose)
 
 
 ## Whether the rest pose stands: trunk and legs in one line. Some files stretch all bones along one
 ## axis, or have a rest pose that is no pose at all.
 func rest_stands() -> bool:
-	return rest_trunk.dot(rest_legs) > 0.7
+	return rest_trunk.dot(rest_legs) > UPRIGHT
 
 
 ## How upright a body is, the same whatever its axes: the cosine between trunk and legs, 1 standing,
@@ -95,6 +88,7 @@ func find_fault() -> String:
 	var by_trunk: float = leg / trunk
 	var by_leg: float = arm / leg
 	var is_animal: bool = by_trunk < ANIMAL_BY_TRUNK and by_leg > ANIMAL_ARM_BY_LEG
+	is_animal = is_animal and straightness() < UPRIGHT and not rest_stands()
 	if straightness() < ACROSS and not rest_stands():
 		is_animal = is_animal or by_trunk < FOUR_LEGS_BY_TRUNK or by_leg > FOUR_LEGS_ARM_BY_LEG
 	if is_animal:

@@ -23,6 +23,10 @@ const MIN_SMALL_LEG: float = 0.54
 ## Shortest and tallest person, m.
 const MIN_STATURE: float = 1.0
 const MAX_STATURE: float = 2.3
+## Height of a man, by thigh and shank (see [constant BodySize.RATIOS]), m.
+const USUAL_STATURE: float = 1.743
+## Height by legs and trunk of the smallest figure with short legs, m.
+const MIN_SMALL_STATURE: float = 0.7
 
 ## These units.
 const _PLAIN: PackedStringArray = ["m", "cm", "mm"]
@@ -36,6 +40,15 @@ const _BY_MOTION: float = 1.0
 const _BY_REST: float = 0.7
 const _BY_FLOOR: float = 0.5
 const _BY_ZERO: float = 0.9
+## What a rest pose counts more if the person is as upright as there for a moment, and what it
+## counts if the body is as low lying as standing: who lies first and rises then is not turned by
+## the hips.
+const _BY_RISING: float = 1.0
+const _BY_LYING: float = 0.8
+## Least difference of uprightness between lying and standing, and how near to the most and the
+## least of a clip a frame counts as standing and lying.
+const _RISES: float = 0.5
+const _ALIKE: float = 0.25
 ## How unsteady a floor may be, and how far from 0, to count by 1/e, as a share of the leg.
 const _UNSTEADY: float = 0.05
 const _OFF_ZERO: float = 0.45
@@ -43,10 +56,10 @@ const _OFF_ZERO: float = 0.45
 const _BEFORE: Dictionary[BvhOptions.UpAxis, float] = {
 	BvhOptions.UpAxis.Y: 0.15,
 	BvhOptions.UpAxis.Z: 0.1,
-	BvhOptions.UpAxis.X: 0.0,
-	BvhOptions.UpAxis.Y_DOWN: 0.0,
-	BvhOptions.UpAxis.Z_DOWN: -0.05,
-	BvhOptions.UpAxis.X_DOWN: -0.05,
+	BvhOptions.UpAxis.X: -0.3,
+	BvhOptions.UpAxis.Y_DOWN: -0.15,
+	BvhOptions.UpAxis.Z_DOWN: -0.2,
+	BvhOptions.UpAxis.X_DOWN: -0.35,
 }
 ## Lead by which an axis must win to be certain, and least uprightness of the body along it.
 const _SURE: float = 0.3
@@ -54,6 +67,7 @@ const _SURE_UPRIGHT: float = 0.6
 
 
 ## Sets unit and up axis of a clip with their reasons: as given by the options, or else guessed.
+## Mirrors a mirrored one back ([BvhHandedness], [BvhTravel]).
 static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
 	var map: HumanoidMap = HumanoidMap.from_clip(p_clip)
 	var anatomy: BvhAnatomy = null
@@ -75,15 +89,22 @@ static func settle(p_clip: BvhClip, p_options: BvhOptions) -> void:
 		_guess_unit(p_clip, anatomy)
 	else:
 		_guess_unit_by_size(p_clip)
+	if anatomy != null:
+		BvhHandedness.settle(p_clip, map)
+		BvhTravel.settle(p_clip, map)
 
 
 static func _guess_unit(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
 	var best: String = ""
 	var parts: Array = [String.num(p_anatomy.leg, 3)]
+	var is_short_legged: bool = p_anatomy.leg < BvhAnatomy.FOUR_LEGS_BY_TRUNK * p_anatomy.trunk
 	for unit: String in BvhOptions.UNITS:
 		var metres: float = BvhOptions.UNITS[unit]
-		var fits: bool = _is_adult(p_anatomy, metres)
-		if unit in _PLAIN and p_anatomy.leg * metres >= MIN_SMALL_LEG:
+		var fits: bool = not is_short_legged and _is_adult(p_anatomy, metres)
+		if unit in _PLAIN and is_short_legged:
+			fits = p_anatomy.stature() * metres >= MIN_SMALL_STATURE
+			fits = fits and p_anatomy.stature() * metres <= MAX_STATURE
+		elif unit in _PLAIN and p_anatomy.leg * metres >= MIN_SMALL_LEG:
 			fits = fits or _is_adult(p_anatomy, metres * MIN_LEG / MIN_SMALL_LEG)
 		if fits and (best == "" or _leg_misfit(p_anatomy, unit) < _leg_misfit(p_anatomy, best)):
 			best = unit
@@ -95,8 +116,12 @@ static func _guess_unit(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
 			% parts
 		)
 		return
-	p_clip.unit_metres = USUAL_LEG / p_anatomy.leg
-	parts.append(USUAL_LEG)
+	var leg: float = USUAL_LEG
+	if is_short_legged:
+		# Of a figure with short legs the whole is scaled.
+		leg = p_anatomy.leg / p_anatomy.stature() * USUAL_STATURE
+	p_clip.unit_metres = leg / p_anatomy.leg
+	parts.append(leg)
 	p_clip.unit_reason = (
 		"guess: the legs are %s units long, an adult's in no unit; scaled to %.2f m" % parts
 	)
@@ -149,16 +174,22 @@ static func _guess_up(p_clip: BvhClip, p_anatomy: BvhAnatomy) -> void:
 
 ## How much speaks for an axis.
 static func _score(p_anatomy: BvhAnatomy, p_axis: BvhOptions.UpAxis) -> float:
+	var upright: PackedFloat32Array = []
+	var floors: PackedFloat32Array = []
+	for frame: int in p_anatomy.lows.size():
+		upright.append(_along(p_anatomy.trunks[frame] + p_anatomy.legs[frame], p_axis) / 2.0)
+		var low: float = _along(p_anatomy.lows[frame], p_axis)
+		floors.append(minf(low, _along(p_anatomy.highs[frame], p_axis)))
 	var score: float = _BY_MOTION * _uprightness(p_anatomy, p_axis)
 	if p_anatomy.rest_stands():
 		var rest: Vector3 = (p_anatomy.rest_trunk + p_anatomy.rest_legs) / 2.0
 		score += _BY_REST * _along(rest, p_axis)
-	var floors: PackedFloat32Array = []
-	for frame: int in p_anatomy.lows.size():
-		var low: float = _along(p_anatomy.lows[frame], p_axis)
-		floors.append(minf(low, _along(p_anatomy.highs[frame], p_axis)))
+		if not upright.is_empty():
+			var most: float = Array(upright).max()
+			score += _BY_RISING * maxf(most, 0.0) * maxf(_along(rest, p_axis), 0.0)
 	if floors.is_empty():
 		return score
+	score += _BY_LYING * _lies_low(upright, floors, p_anatomy.leg)
 	floors.sort()
 	# A jump leaves the floor for less than half of a clip.
 	var spread: float = floors[floors.size() / 2] - floors[floors.size() / 10]
@@ -166,6 +197,28 @@ static func _score(p_anatomy: BvhAnatomy, p_axis: BvhOptions.UpAxis) -> float:
 	return (
 		score + _BY_ZERO * exp(-pow(floors[floors.size() / 10] / (_OFF_ZERO * p_anatomy.leg), 2.0))
 	)
+
+
+## Whether the body is as low when it lies as when it stands, 0 to 1; 1 if it does only one of both.
+## Along an axis that is not up somebody who lies and stands floats half of the time.
+static func _lies_low(
+	p_upright: PackedFloat32Array, p_floors: PackedFloat32Array, p_leg: float
+) -> float:
+	var most: float = Array(p_upright).max()
+	var least: float = Array(p_upright).min()
+	if most - least < _RISES:
+		return 1.0
+	var standing: PackedFloat32Array = []
+	var lying: PackedFloat32Array = []
+	for frame: int in p_upright.size():
+		if p_upright[frame] > most - _ALIKE:
+			standing.append(p_floors[frame])
+		elif p_upright[frame] < least + _ALIKE:
+			lying.append(p_floors[frame])
+	standing.sort()
+	lying.sort()
+	var apart: float = standing[standing.size() / 2] - lying[lying.size() / 2]
+	return exp(-pow(apart / (_OFF_ZERO * p_leg), 2.0))
 
 
 ## How far trunk and legs point along an axis over the clip, -1 to 1.

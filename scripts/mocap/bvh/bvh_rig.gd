@@ -11,6 +11,8 @@ extends RefCounted
 
 ## How far ankles are above toes at least, as a share of the leg: less means that toes are missing.
 const _ANKLE_ABOVE_TOES: float = 0.02
+## Hip joints that are nearer to each other are one, m.
+const _MIN_ACROSS: float = 0.01
 
 ## Why the clip shows no person, or an empty text.
 var error: String = ""
@@ -36,7 +38,9 @@ static func from_clip(p_clip: BvhClip) -> BvhRig:
 	rig.map = HumanoidMap.from_clip(p_clip)
 	rig.error = rig.map.error
 	if rig.error == "":
-		var fault: String = BvhAnatomy.new(p_clip, rig.map).find_fault()
+		var fault: String = BvhNoise.find_fault(p_clip, rig.map)
+		if fault == "":
+			fault = BvhAnatomy.new(p_clip, rig.map).find_fault()
 		rig.error = "" if fault == "" else "%s: %s" % [p_clip.source_name, fault]
 	if rig.error == "" and p_clip.frame_count == 0:
 		rig.error = "%s: the clip has no frames" % p_clip.source_name
@@ -83,10 +87,8 @@ func _measure() -> void:
 	_rest = clip.rest_positions()
 	if not _stands(_rest):
 		_stand_up()
-	var left: Vector3 = _rest[map.bases[Limbs.find(&"LeftUpperLeg")]]
-	var across: Vector3 = left - _rest[map.bases[Limbs.find(&"RightUpperLeg")]]
-	across.y = 0.0
-	if across.length() > 0.01:
+	var across: Vector3 = _across(_rest)
+	if across.length() > _MIN_ACROSS:
 		_heading = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
 	_rest_floor = _find_rest_floor()
 	hip_height = clampf(_rest[map.joints[Limbs.HIPS]].y - _rest_floor, 0.3, 1.8)
@@ -97,6 +99,20 @@ func _measure() -> void:
 		if not _rest_turns.is_empty():
 			rest = _rest_turns[map.joints[limb]]
 		_calibration.append((turn * _heading * rest).inverse())
+
+
+## The level line from the right to the left hip joint; from the right to the left shoulder where
+## the hip joints are one.
+func _across(p_positions: PackedVector3Array) -> Vector3:
+	for pair: Vector2i in [
+		Vector2i(Limbs.LEFT_UPPER_LEG, Limbs.RIGHT_UPPER_LEG),
+		Vector2i(Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM),
+	]:
+		var across: Vector3 = p_positions[map.bases[pair.x]] - p_positions[map.bases[pair.y]]
+		across.y = 0.0
+		if across.length() > _MIN_ACROSS:
+			return across
+	return Vector3.ZERO
 
 
 ## Of the lowest point of the legs; where that is an ankle, or the rest pose was taken from the
@@ -153,10 +169,7 @@ func _stand_up() -> void:
 			pose = other
 	if pose == null or _uprightness(pose.positions) < 0.5:
 		return  # Nobody ever stands: the file's rest pose is as good as any.
-	var across: Vector3 = (
-		pose.positions[map.bases[Limbs.LEFT_UPPER_LEG]]
-		- pose.positions[map.bases[Limbs.RIGHT_UPPER_LEG]]
-	)
+	var across: Vector3 = _across(pose.positions)
 	var turn: Quaternion = Quaternion(Vector3.UP, -atan2(-across.z, across.x))
 	var origin: Vector3 = pose.positions[map.joints[Limbs.HIPS]]
 	_rest_turns.clear()

@@ -2,7 +2,8 @@ class_name HumanoidMap
 extends RefCounted
 ## Finds the limbs of [Limbs] among the joints of somebody's skeleton, by names and by structure.
 ##
-## Legs and arms are found by the names of their joints; the trunk is the chain of joints
+## Legs and arms are found by the names of their joints, or where those do not tell, by structure
+## ([LimbStructure]); the trunk is the chain of joints
 ## between the hips and the joint where the arms branch off, whatever those are called. What a
 ## skeleton lacks (hands, a waist) is filled from its neighbour.
 
@@ -17,11 +18,6 @@ const NEEDED: Array[StringName] = [
 	&"RightUpperLeg",
 	&"RightLowerLeg",
 ]
-
-## How long a lower arm is by its upper arm, and a shank by its thigh (de Leva 1996, males: 268.9 by
-## 281.7 mm, 434.0 by 422.2 mm).
-const _FOREARM_BY_UPPER_ARM: float = 0.955
-const _SHANK_BY_THIGH: float = 1.028
 
 ## Maximum of joints of a side that are considered for a part. People's skeletons have at most ten;
 ## all pairs of them are tried.
@@ -52,7 +48,7 @@ static func from_clip(p_clip: BvhClip) -> HumanoidMap:
 		map._offsets.append(joint.offset)
 		map._is_end.append(joint.is_end_site)
 	map._known = JointNames.new(map._names)
-	map._find_all()
+	map._find_all(p_clip)
 	if map.error != "":
 		map.error = "%s: %s" % [p_clip.source_name, map.error]
 	return map
@@ -67,16 +63,23 @@ func joints_below(p_joint: int) -> PackedInt32Array:
 	return found
 
 
-func _find_all() -> void:
+## Hip joint, knee, ankle and a point in front of the ankle, or -1, of the leg with that upper leg.
+func leg(p_upper_leg: int) -> PackedInt32Array:
+	var ankle: int = bases[p_upper_leg + 2]
+	var toes: int = tails[p_upper_leg + 2]
+	return [bases[p_upper_leg], bases[p_upper_leg + 1], ankle, -1 if toes == ankle else toes]
+
+
+func _find_all(p_clip: BvhClip) -> void:
 	joints.resize(Limbs.COUNT)
 	joints.fill(-1)
 	for side: String in ["Left", "Right"]:
-		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"], _SHANK_BY_THIGH)
-		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"], _FOREARM_BY_UPPER_ARM)
-	var missing: PackedStringArray = []
-	for bone: StringName in NEEDED:
-		if joints[Limbs.find(bone)] < 0:
-			missing.append(bone)
+		_find_chain(side, [&"UpperLeg", &"LowerLeg", &"Foot"], LimbStructure.SHANK_BY_THIGH)
+		_find_chain(side, [&"UpperArm", &"LowerArm", &"Hand"], LimbStructure.FOREARM_BY_UPPER_ARM)
+	var missing: PackedStringArray = _find_missing()
+	if not missing.is_empty():
+		_find_by_structure(p_clip)
+		missing = _find_missing()
 	if not missing.is_empty():
 		var named: PackedStringArray = []
 		for joint: int in _names.size():
@@ -94,12 +97,32 @@ func _find_all() -> void:
 	_find_tails()
 
 
+func _find_missing() -> PackedStringArray:
+	var missing: PackedStringArray = []
+	for bone: StringName in NEEDED:
+		if joints[Limbs.find(bone)] < 0:
+			missing.append(bone)
+	return missing
+
+
+## Takes arms and legs from the structure, if it is a person's.
+func _find_by_structure(p_clip: BvhClip) -> void:
+	var structure: LimbStructure = LimbStructure.new(p_clip, _known)
+	var uppers: PackedInt32Array = [
+		Limbs.LEFT_UPPER_LEG, Limbs.RIGHT_UPPER_LEG, Limbs.LEFT_UPPER_ARM, Limbs.RIGHT_UPPER_ARM
+	]
+	for chain: int in structure.chains.size():
+		for part: int in 3:
+			var joint: int = structure.chains[chain][part]
+			joints[uppers[chain] + part] = -1 if _is_end[joint] else joint
+
+
 ## Finds an arm or a leg: of all pairs of joints, one below the other, that with the best names (a
 ## helper of no length, or to which no hand or foot is attached, comes last); then its hand or foot,
 ## which where there are several candidates (wrist and hand) is the one that makes the limb above
 ## nearest to a person's, by its length over that of the limb above it.
 func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> void:
-	var best: int = 1000
+	var best: int = 10000
 	var upper: int = -1
 	var lower: int = -1
 	var ends: PackedInt32Array = _named(p_side, p_parts[2])
@@ -112,6 +135,9 @@ func _find_chain(p_side: String, p_parts: Array[StringName], p_ratio: float) -> 
 			if not _is_below(second, first):
 				continue
 			rank += 100 if _distance(second, first) <= 0.0 else 0
+			# Of names that are equally good that of a helper at the joint above comes last:
+			# "LHipJoint" at the hips, before "LeftHip".
+			rank = 2 * rank + (1 if _offsets[first].length() <= 0.0 else 0)
 			if rank < best:
 				best = rank
 				upper = first

@@ -84,8 +84,49 @@ const PARTS: Dictionary[StringName, Array] = {
 	&"Toes": ["toebase", "toe", "toes", "ball", "toe0", "foottoe", "つま先"],
 }
 
-const _LEFT: PackedStringArray = ["left", "l", "lft", "lt"]
-const _RIGHT: PackedStringArray = ["right", "r", "rght", "rgt", "rt"]
+const _LEFT: PackedStringArray = [
+	"left",
+	"l",
+	"lft",
+	"lt",
+	"links",
+	"linke",
+	"linker",
+	"gauche",
+	"izq",
+	"izquierda",
+	"izquierdo",
+	"sinistra",
+	"sinistro",
+	"esquerda",
+	"esquerdo",
+	"лев",
+	"левая",
+	"левое",
+	"левый",
+]
+const _RIGHT: PackedStringArray = [
+	"right",
+	"r",
+	"rght",
+	"rgt",
+	"rt",
+	"rechts",
+	"rechte",
+	"rechter",
+	"droite",
+	"droit",
+	"derecha",
+	"derecho",
+	"destra",
+	"destro",
+	"direita",
+	"direito",
+	"прав",
+	"правая",
+	"правое",
+	"правый",
+]
 ## How a side is written together with a part, longest first.
 const _JOINED: Dictionary[String, BodySide] = {
 	"left": BodySide.LEFT,

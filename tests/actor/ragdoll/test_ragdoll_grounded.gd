@@ -51,7 +51,7 @@ func test_it_flinches_from_a_ball_and_comes_back() -> void:
 	ball.mass = 5.0
 	ball.collision_layer = PhysicsLayers.PROPS
 	ball.collision_mask = PhysicsLayers.ALL
-	ball.position = player.joint(CHEST) + Vector3(0.0, 0.1, 0.8)
+	ball.position = player.joint(CHEST) + Vector3(0.0, 0.2, 0.8)
 	ball.linear_velocity = Vector3.FORWARD * 10.0
 	_stage.add_child(ball)
 	var most: Array[float] = [0.0]
@@ -62,6 +62,31 @@ func test_it_flinches_from_a_ball_and_comes_back() -> void:
 	)
 	is_true(most[0] > 6.0 and most[0] < 25.0, "the chest turns by %f deg" % most[0])
 	is_true(player.error_deg(CHEST, Stage.reset_pose()) < 2.0, "it is back")
+
+
+func test_hands_that_lean_on_walls_come_to_rest() -> void:
+	_stage.add_floor()
+	var player: Stage.Player = _stage.add_soldier(HEIGHT, GROUNDED)
+	await _stage.run(60)
+	# Both hands are 5 cm into what is there.
+	var tip: float = player.joint(Limbs.LEFT_HAND).x + 0.17
+	for side: float in [-1.0, 1.0]:
+		_stage.add_block(Vector3(0.2, 4.0, 4.0), Vector3(side * (tip - 0.05 + 0.1), 2.0, 0.0))
+	await _stage.run(180)
+	var squares: Dictionary[int, float] = {CHEST: 0.0, Limbs.LEFT_HAND: 0.0, Limbs.RIGHT_HAND: 0.0}
+	await _stage.run(
+		120,
+		func(_time: float) -> void:
+			for limb: int in squares:
+				var rid: RID = player.ragdoll.get_bodies()[player.index(limb)]
+				var turning: Vector3 = PhysicsServer3D.body_get_state(
+					rid, PhysicsServer3D.BODY_STATE_ANGULAR_VELOCITY
+				)
+				squares[limb] += turning.length_squared() / 120.0
+	)
+	for limb: int in squares:
+		var speed: float = rad_to_deg(sqrt(squares[limb]))
+		is_true(speed < 2.0, "limb %d turns by %f deg/s" % [limb, speed])
 
 
 func test_a_push_makes_it_step() -> void:

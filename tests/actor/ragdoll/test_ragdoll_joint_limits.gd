@@ -46,6 +46,7 @@ func test_arms_are_stopped_by_the_own_body_if_asked() -> void:
 	for collides: bool in [false, true]:
 		var player: Stage.Player = _stage.make_soldier(STANDING, RagdollMotor.ROOT_SOFT)
 		player.ragdoll.self_collision = collides
+		player.ragdoll.self_overlap = 1.0
 		_stage.enter(player)
 		# Both arms turned inwards by more than half a circle lie in the chest.
 		player.pose = func(time: float) -> PoseSample:

@@ -155,18 +155,21 @@ func velocity_of(p_limb: int) -> Vector3:
 	return _velocity(ragdoll.get_bodies()[p_limb])
 
 
+## Turning rate of a limb, world axes, rad/s.
+func spin_of(p_limb: int) -> Vector3:
+	return PhysicsServer3D.body_get_state(
+		ragdoll.get_bodies()[p_limb], PhysicsServer3D.BODY_STATE_ANGULAR_VELOCITY
+	)
+
+
 ## Internal kinetic energy, J: that of all limbs about the common centre of mass.
 func energy() -> float:
 	var linear: PackedVector3Array = PackedVector3Array()
 	var angular: PackedVector3Array = PackedVector3Array()
 	var places: Array[Transform3D] = bodies()
 	for i: int in count:
-		var rid: RID = ragdoll.get_bodies()[i]
-		var spin: Vector3 = PhysicsServer3D.body_get_state(
-			rid, PhysicsServer3D.BODY_STATE_ANGULAR_VELOCITY
-		)
-		linear.append(_velocity(rid))
-		angular.append(places[i].basis.inverse() * spin)
+		linear.append(velocity_of(i))
+		angular.append(places[i].basis.inverse() * spin_of(i))
 	var mass: float = 0.0
 	var momentum: Vector3 = Vector3.ZERO
 	for i: int in count:

@@ -36,5 +36,5 @@ func end_world(p_world: ContactWorld) -> void:
 
 ## The name of a case in the report.
 func name_case(p_scene: String, p_performer: ContactPerformer) -> String:
-	var mode: String = "held" if root == RagdollMotor.ROOT_HELD else "soft"
+	var mode: String = RootModes.BY_NAME.find_key(root)
 	return "%s, %s, %s, %d Hz" % [p_scene, p_performer.name, mode, hz]

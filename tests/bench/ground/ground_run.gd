@@ -15,6 +15,8 @@ var upper: PackedFloat64Array = []
 ## Height of the hips over the floor, and where the motion has them, m.
 var heights: PackedFloat64Array = []
 var wanted_heights: PackedFloat64Array = []
+## How far the hips are from the wearer's, level, m.
+var distances: PackedFloat64Array = []
 ## How fast limbs turn against the motion, mean of all, deg/s.
 var jitter: PackedFloat64Array = []
 ## Steps that the motion does not have.
@@ -67,6 +69,8 @@ func note() -> bool:
 		jitter.append(turned / person.count / world.delta_s)
 	_bodies_before = bodies
 	upper.append(above / UPPER)
+	var off: Vector3 = person.joint(0, bodies) - person.joint(0, wanted)
+	distances.append(Vector2(off.x, off.z).length())
 	heights.append(person.joint(0, bodies).y)
 	wanted_heights.append(person.joint(0, wanted).y)
 	return false

@@ -12,6 +12,16 @@ const SCHEMES: Dictionary[String, Array] = {
 		"#UpLeg #Leg #Foot #ToeBase",
 		"#FingerBase"
 	],
+	"shoulder, arm, wrist":
+	["L R", "Hips Spine Chest Neck Head", "#Collar #Shoulder #Arm #Wrist", "#Hip #Leg #Ankle #Toe"],
+	"Russian":
+	[
+		"Лев Прав",
+		"Таз Поясница Грудь Шея Голова",
+		"Ключица_#ая Плечо_#ое Предплечье_#ое Кисть_#ая",
+		"Бедро_#ое Голень_#ая Стопа_#ая Носок_#ый"
+	],
+	"numbers": ["1 2", "n10 n11 n12 n13 n14", "n15# n16# n17# n18#", "n19# n20# n21# n22#"],
 	"ASF":
 	[
 		"l r",

@@ -68,6 +68,26 @@ func test_people_who_lie_or_crawl() -> void:
 				equal(clip.unit_metres, 0.01)
 
 
+func test_people_who_lie_and_then_rise() -> void:
+	for turn: Vector3 in [Vector3.LEFT, Vector3.RIGHT, Vector3.FORWARD, Vector3.BACK]:
+		for axis: BvhOptions.UpAxis in [BvhOptions.UpAxis.Y, BvhOptions.UpAxis.Z]:
+			for lying: float in [0.4, 0.7, 0.9]:
+				var style: Files.Style = Files.Style.new()
+				style.axis = axis
+				var clip: BvhClip = _read(_rising(_motions[3], turn, lying), style)
+				equal(clip.up_axis, axis, "%s, %s of it: %s" % [turn, lying, clip.up_reason])
+
+
+func test_a_figure_with_short_legs_is_a_person() -> void:
+	for legs: float in [0.35, 0.5]:
+		for original: Files.Motion in _motions:
+			var clip: BvhClip = _read(_short_legged(original, legs), Files.Style.new())
+			var anatomy: BvhAnatomy = BvhAnatomy.new(clip, HumanoidMap.from_clip(clip))
+			equal(anatomy.find_fault(), "")
+			equal(clip.up_axis, BvhOptions.UpAxis.Y)
+			equal(clip.unit_metres, 0.01, clip.unit_reason)
+
+
 func test_people_of_no_size_are_scaled_to_an_adult() -> void:
 	# Figures of 3.9 m in centimetres, of 0.6 m in metres, of 300 and 0.002 units.
 	for unit: float in [0.0044, 2.8, 0.0058, 870.0]:
@@ -193,3 +213,39 @@ func _check_heights(p_clip: BvhClip, p_motion: Files.Motion, p_style: Files.Styl
 	for limb: int in Limbs.COUNT:
 		var height: float = positions[rig.map.joints[limb]].y - positions[rig.map.joints[0]].y
 		almost_equal(height, wanted[String(Limbs.BONES[limb])].y, 2e-3, _describe(p_style))
+
+
+## Somebody who lies for a share of the motion, and then rises about an axis.
+func _rising(p_motion: Files.Motion, p_axis: Vector3, p_lying: float) -> Files.Motion:
+	var found: Files.Motion = Files.Motion.new()
+	found.rest = p_motion.rest
+	var count: int = p_motion.hips.size()
+	for frame: int in count:
+		var risen: float = maxf(float(frame) / (count - 1) - p_lying, 0.0) / (1.0 - p_lying)
+		var tilt: Quaternion = Quaternion(p_axis, (1.0 - risen) * PI / 2.0)
+		var turns: Dictionary[String, Quaternion] = {}
+		for key: String in p_motion.turns[frame]:
+			turns[key] = tilt * p_motion.turns[frame][key]
+		found.turns.append(turns)
+		found.hips.append(p_motion.hips[frame] * Vector3(1.0, 0.1 + 0.9 * risen, 1.0))
+	return found
+
+
+## The same motion of a figure with short legs and arms and a large head.
+func _short_legged(p_motion: Files.Motion, p_legs: float) -> Files.Motion:
+	var found: Files.Motion = Files.Motion.new()
+	found.turns = p_motion.turns
+	for key: String in Files.keys():
+		var scale: float = 1.0
+		if key.contains("Head"):
+			scale = 2.5
+		elif key.contains("Arm") or key.contains("Hand"):
+			scale = p_legs * 1.2
+		elif key.contains("Leg") or key.contains("Foot") or key.contains("Toes"):
+			scale = p_legs
+		var above: String = Files.parent(key)
+		var offset: Vector3 = p_motion.rest[key] - p_motion.rest.get(above, Vector3.ZERO)
+		found.rest[key] = found.rest.get(above, Vector3.ZERO) + scale * offset
+	for hips: Vector3 in p_motion.hips:
+		found.hips.append(hips * Vector3(p_legs, p_legs, p_legs))
+	return found

@@ -100,7 +100,7 @@ func test_errors() -> void:
 	var empty: BvhRig = _rig(0.0, 0.0, [])
 	contains(empty.error, "person.bvh: the clip has no frames")
 	var nobody: People.Person = People.Person.new()
-	nobody.names["LeftUpperLeg"] = "Wheel"
+	nobody.names["LeftUpperLeg"] = ""
 	contains(BvhRig.from_clip(People.make(nobody)).error, "LeftUpperLeg")
 
 

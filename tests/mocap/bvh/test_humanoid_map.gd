@@ -146,6 +146,9 @@ func test_what_is_no_person_lists_the_names() -> void:
 	for i: int in Schemes.KEYS.size():
 		person.names[Schemes.KEYS[i]] = "Part%d" % i
 		person.names[Schemes.KEYS[i].replace("Left", "Right")] = "Part%d" % i
+	# Two arms and one leg: the structure is no person's either.
+	for part: String in ["LeftUpperLeg", "LeftLowerLeg", "LeftFoot"]:
+		person.names[part] = ""
 	var map: HumanoidMap = HumanoidMap.from_clip(People.make(person))
 	contains(map.error, "person.bvh: no joint is recognised as LeftUpperArm, LeftLowerArm")
 	contains(map.error, "Part0, Part1, Part2")
@@ -154,7 +157,7 @@ func test_what_is_no_person_lists_the_names() -> void:
 
 func test_one_missing_limb_is_named() -> void:
 	var person: People.Person = People.Person.new()
-	person.names["RightLowerLeg"] = "Wheel"
+	person.names["RightLowerLeg"] = ""
 	var map: HumanoidMap = HumanoidMap.from_clip(People.make(person))
 	contains(map.error, "no joint is recognised as RightLowerLeg among")
 	is_false(map.error.get_slice(" among", 0).contains("Left"))

@@ -12,9 +12,12 @@ namespace {
 
 constexpr float SAME_POSITION = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
 constexpr float LOOK_AGAIN_S = 0.1f; // And for so long.
-constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be.
+constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be,
+constexpr float FURTHER_S = 0.1f; // and what its toes have to clear so much later.
 constexpr float BALL_SHARE = 0.8f; // Points of a foot that are so far from the ankle, of the furthest, are its ball.
 constexpr float STEEPEST = 0.7f; // Ground that rises more from ankle to ball is a step, less is a slope.
+constexpr float RISER =
+		0.35f; // Ground that rises more than this towards where the toes come is a riser: stairs, no slope.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
@@ -233,27 +236,59 @@ Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) con
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
+void Balance::look(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_at, Foot &r_foot) {
+	const std::size_t limb = std::size_t(r_foot.limbs.foot);
+	const Vec3 ball = level(p_now.orientations[limb].rotate(r_foot.ball));
+	r_foot.looked = p_at;
+	r_foot.age_s = 0.0f;
+	r_foot.ground = p_input.ground->find(p_at, Ground::STEP);
+	r_foot.step = -NONE;
+	// On stairs the ball of a foot comes onto the next tread, the heel stays behind it.
+	const Footing ahead = p_input.ground->find(p_at + ball, Ground::STEP);
+	const bool is_step = !ahead.is_loose && ahead.height - r_foot.ground.height > STEEPEST * ball.length();
+	if (is_step && ahead.height - sole_height(p_now, r_foot) < _offset.y + Ground::STEP) {
+		r_foot.ground = ahead;
+	}
+	if (r_foot.is_up()) {
+		look_ahead(p_input, p_now, p_at + ball, ahead, r_foot);
+	}
+}
+
+void Balance::look_ahead(
+		const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_ball, const Footing &p_ahead, Foot &r_foot) {
+	const std::size_t limb = std::size_t(r_foot.limbs.foot);
+	const float sole = sole_height(p_now, r_foot);
+	const float toes = _joints_now[limb].y + p_now.orientations[limb].rotate(r_foot.ball).y;
+	const Vec3 further = p_ball + level(find_velocity(p_input, limb)) * FURTHER_S;
+	const Footing next = p_input.ground->find(further, Ground::STEP);
+	const auto is_riser = [&](const Footing &p_ground, const Vec3 &p_place) {
+		return p_ground.height - r_foot.ground.height > RISER * level(p_place - r_foot.looked).length();
+	};
+	if (!is_riser(next, further) && !is_riser(p_ahead, p_ball)) {
+		return;
+	}
+	const auto raise = [&](const Footing &p_ground, float p_over) {
+		if (!p_ground.is_loose && std::isfinite(p_ground.height)) {
+			r_foot.step = std::max(r_foot.step, p_ground.height + settings.clearance - p_over);
+		}
+	};
+	raise(r_foot.ground, sole);
+	raise(p_ahead, toes);
+	raise(next, sole);
+}
+
 void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
 	if (p_input.ground == nullptr) {
 		return;
 	}
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
 	Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(find_velocity(p_input, limb)) * AHEAD_S;
-	const Vec3 ball = level(p_now.orientations[limb].rotate(r_foot.ball));
 	// Wherever the motion is: the ground is under the body.
 	at.y = std::clamp(at.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
 	r_foot.age_s += p_input.delta_s;
 	const bool is_old = r_foot.age_s > LOOK_AGAIN_S || r_foot.ground.moves();
 	if (is_old || level(at - r_foot.looked).length() > SAME_POSITION) {
-		r_foot.looked = at;
-		r_foot.age_s = 0.0f;
-		r_foot.ground = p_input.ground->find(at, Ground::STEP);
-		// On stairs the ball of a foot comes onto the next tread, the heel stays behind it.
-		const Footing ahead = p_input.ground->find(at + ball, Ground::STEP);
-		if (!ahead.is_loose && ahead.height - r_foot.ground.height > STEEPEST * ball.length() &&
-				ahead.height - sole_height(p_now, r_foot) < _offset.y + Ground::STEP) {
-			r_foot.ground = ahead;
-		}
+		look(p_input, p_now, at, r_foot);
 	}
 	if (!std::isfinite(r_foot.ground.height)) {
 		return;
@@ -262,8 +297,8 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	if (r_foot.ground.is_loose && needed > _offset.y + settings.loose_step) {
 		needed = _offset.y;
 	}
-	const float wanted = r_foot.is_up() ? std::max(_offset.y, needed) : needed;
-	const float limited = std::clamp(wanted, _offset.y - Ground::STEP, _offset.y + Ground::STEP);
+	const float wanted = r_foot.is_up() ? std::max(std::max(_offset.y, needed), r_foot.step) : needed;
+	const float limited = std::clamp(wanted, _offset.y - settings.climb, _offset.y + settings.climb);
 	// A foot in the air hurries onto a step, or it would strike it.
 	const bool climbs = r_foot.is_up() && !r_foot.ground.is_loose;
 	const float higher = climbs ? std::max(limited - std::max(r_foot.height, _offset.y), 0.0f) : 0.0f;
@@ -283,12 +318,6 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_calm_s = is_stepping() || _stood_s == 0.0f ? 0.0f : _calm_s + p_input.delta_s;
 	_ease = std::clamp((_calm_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
 	find_deceleration(p_rig);
-}
-
-float Balance::get_stiffness(float p_error, bool p_returns) const {
-	const float part = std::min(p_error / settings.stiff_from, 1.0f);
-	const float left = 1.0f - _ease * (1.0f - settings.ease) * (1.0f - part);
-	return std::min(left * (p_returns ? settings.come_back : 1.0f), 1.0f);
 }
 
 void Balance::find_deceleration(const Rig &p_rig) {

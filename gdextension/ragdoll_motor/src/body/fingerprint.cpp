@@ -14,6 +14,9 @@ std::uint64_t find_fingerprint(const Rig &p_rig, const std::vector<ContactPoint>
 		hash.add(p_rig[i].centre);
 		hash.add(p_rig[i].rest);
 		hash.add(p_rig[i].mass);
+		hash.add(p_rig[i].shape.type);
+		hash.add(p_rig[i].shape.turn);
+		hash.add(p_rig[i].shape.half);
 	}
 	for (const ContactPoint &contact : p_contacts) {
 		hash.add(contact.limb);

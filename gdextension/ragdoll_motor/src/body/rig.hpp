@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/vectors.hpp"
+#include "body/limb_shape.hpp"
 #include "body/pose.hpp"
 
 #include <cstddef>
@@ -23,6 +24,7 @@ struct Segment {
 	float max_torque = 0.0f; ///< Greatest torque of the joint, N m. The root's is ignored.
 	int group = 0; ///< Index of the strength group.
 	bool is_foot = false;
+	LimbShape shape;
 };
 
 /// Gravity where nothing else is known, m/s^2 (ISO 80000-3, rounded as the engine has it).

@@ -29,6 +29,8 @@ public:
 	/// @param p_next the motion at its end
 	void compute(const RigState &p_actual, const Pose &p_now, const Pose &p_next, float p_delta_s,
 			const ActuationTable &p_table, std::vector<LimbCommand> &r_commands);
+	/// What each joint turned in the pose of the last compute().
+	const CompositeInertia &get_inertia() const { return _turned; }
 	/// The body has been put elsewhere: what was before counts no more.
 	void reset();
 

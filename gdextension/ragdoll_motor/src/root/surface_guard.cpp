@@ -45,6 +45,9 @@ bool SurfaceGuard::advance(
 	}
 	const Vec3 from = axis * (1.0f / length);
 	const float into = from.dot(hit.normal);
+	if (-into * (1.0f - hit.share) * length < DEEP) {
+		return false;
+	}
 	Vec3 along = from - hit.normal * into;
 	if (along.length() < 1e-3f) {
 		// Straight into it: wherever the limb's own side points.

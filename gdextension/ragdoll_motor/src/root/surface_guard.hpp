@@ -21,6 +21,9 @@ public:
 	static constexpr float LENGTH = 1.8f;
 	/// How high over the surface the limb's end is laid, m: less than limbs are thick, so that they lie on it.
 	static constexpr float HEIGHT = 0.03f;
+	/// How deep its end is in it at least, m: what is less the engine's contacts push out, and who leans a hand on
+	/// something would be jolted.
+	static constexpr float DEEP = 0.04f;
 
 	explicit SurfaceGuard(const Rig &p_rig);
 
