@@ -1,8 +1,8 @@
 extends Bench
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
-## Options: --scene=stand|clip|gaits|push|ball|blocked|slopes|stairs|crates|wall|doors|platforms
-## or town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|
+## Options: --scene=stand|clip|gaits|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|
+## platforms or town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|
 ## pendulum|self_righting (default grounded), --bvh=FILE (of the scenes clip, gaits and blocked,
 ## again for more; default the clips in assets/motion), --obstacle=wall|corner|table|door (of
 ## blocked, again for more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for
@@ -13,6 +13,7 @@ const _SCENES: Array[String] = [
 	"clip",
 	"gaits",
 	"push",
+	"rise",
 	"ball",
 	"blocked",
 	"slopes",
@@ -28,6 +29,9 @@ const _MAX_S: float = 60.0
 const _MIN_S: float = 1.0
 ## The weight on the floor in a clip: that of runs, as nobody knows what a file is.
 const _CLIP_SHARE: float = 85.0
+
+## Worlds of people who get up.
+const _RISE_BATCHES: int = 5
 
 var _properties: Dictionary[StringName, float] = {}
 
@@ -73,6 +77,8 @@ func _play(p_name: String) -> void:
 				await _gaits(file)
 		"push":
 			await _push()
+		"rise":
+			await _rise()
 		"ball":
 			await _ball()
 		"blocked":
@@ -136,6 +142,19 @@ func _push() -> void:
 			var run: GroundRun = _begin_standing()
 			await pushes.push(run, impulse, direction)
 			run.end()
+
+
+func _rise() -> void:
+	for load_kg: float in [0.0, 15.0]:
+		var rises: GroundRises = GroundRises.new(report)
+		for batch: int in _RISE_BATCHES:
+			var world: ContactWorld = ContactWorld.new(option("hz"))
+			root.add_child(world)
+			var soldier: ContactPerformer = _soldier()
+			var enter: Callable = func() -> ContactPerson: return soldier.enter(world, root_mode())
+			await rises.run(world, enter, load_kg, batch)
+			world.queue_free()
+		rises.tell(load_kg)
 
 
 func _blocked() -> void:

@@ -42,7 +42,7 @@ Dictionary RagdollReport::get_balance() const {
 		balance["phase"] = int64_t(source.get_recovery().get_phase());
 		balance["force_n"] = source.get_force().length();
 		balance["force_limit_n"] = source.get_force_limit();
-		balance["torque_limit_nm"] = source.get_torque();
+		balance["torque_limit_nm"] = std::max(source.get_torque(), source.get_recovery().get_most_help());
 		balance["offset_m"] = from_core(source.get_offset());
 		balance["capture_error_m"] = from_core(source.get_capture_error());
 		balance["is_stepping"] = source.is_stepping();

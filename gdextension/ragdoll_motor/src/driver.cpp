@@ -215,6 +215,7 @@ void Driver::balance(const RigState &p_state, float p_delta_s) {
 	input.shift = _frame.get_shift();
 	input.delta_s = p_delta_s;
 	input.gravity = std::max(-p_state.gravity.y, 0.0f);
+	input.is_limp = _table.get_mode(0) == Actuation::LIMP;
 	_balance.advance(_rig, input, _now, _next);
 	if (!_watch.is_stalled()) {
 		_steady_offset = _balance.get_offset();
@@ -261,6 +262,8 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	if (root_mode == RootMode::GROUNDED) {
 		_commands.root.torque = _balance.get_torque() * strength;
 		_commands.root.push = _balance.get_force() * strength;
+		LimbPush &push = _commands.pushes[0];
+		push.torque = push.torque + _balance.get_recovery().get_help() * (strength * _table.get_flinch(0));
 	}
 	// A hit shoves and turns the hips too, but drops nobody.
 	const float flinch = _table.get_flinch(0);

@@ -364,7 +364,7 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	_eagerness = 1.0f;
 	_ease = 0.0f;
 	_calm_s = 0.0f;
-	_torque = _recovery.get_torque(settings.torque);
+	_torque = 0.0f; // What helps is no hold, see Recovery::get_help().
 	find_deceleration(p_rig);
 	_capture = {};
 	_stood_s = 0.0f;
@@ -387,7 +387,9 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 	p_rig.joint_positions(r_now, _joints_now);
 	p_rig.joint_positions(r_next, _joints_next);
 	find_error(p_rig, p_input, r_now, r_next);
-	_recovery.advance(p_rig, *p_input.state, _height, _wanted_height, _speed, p_input.delta_s, r_now, r_next);
+	const RecoveryInput recovery{ p_input.state, _height, _wanted_height, _speed, p_input.gravity, p_input.is_limp,
+		p_input.delta_s };
+	_recovery.advance(p_rig, recovery, r_now, r_next);
 	if (_recovery.get_phase() != Recovery::Phase::NONE) {
 		stay(p_rig, p_input, r_now, r_next);
 		return;

@@ -100,6 +100,7 @@ struct BalanceInput {
 	Quat turn;
 	Vec3 shift;
 	float gravity = 9.81f; ///< m/s^2
+	bool is_limp = false; ///< Nothing drives the body.
 	float delta_s = 0.0f;
 };
 

@@ -8,26 +8,8 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float GIVE_UP_S = 1.5f; // A phase that takes so much longer than planned begins anew.
-constexpr float OVER_FEET = 0.5f; // Hips that lean less than this (rad) are over the feet.
-
 constexpr float OPPOSITE = -0.8f; // Cosine.
 constexpr float STILL = 0.3f; // A fall slower than this goes nowhere, m/s.
-
-/// Limbs that hang beside others above the legs, and carry limbs themselves: arms, not the head.
-std::vector<std::size_t> find_arms(const Rig &p_rig) {
-	std::vector<int> hanging(p_rig.size(), 0);
-	for (std::size_t i = 1; i < p_rig.size(); i++) {
-		hanging[std::size_t(p_rig[i].parent)] += p_rig.is_in_leg(i) ? 0 : 1;
-	}
-	std::vector<std::size_t> arms;
-	for (std::size_t i = 1; i < p_rig.size(); i++) {
-		if (!p_rig.is_in_leg(i) && hanging[i] > 0 && hanging[std::size_t(p_rig[i].parent)] > 1) {
-			arms.push_back(i);
-		}
-	}
-	return arms;
-}
 
 bool hangs_on(const Rig &p_rig, std::size_t p_limb, std::size_t p_above) {
 	int limb = p_rig[p_limb].parent;
@@ -37,16 +19,10 @@ bool hangs_on(const Rig &p_rig, std::size_t p_limb, std::size_t p_above) {
 	return limb == int(p_above);
 }
 
-/// From 0 to 1, at rest at both ends.
-float eased(float p_part) {
-	const float part = std::clamp(p_part, 0.0f, 1.0f);
-	return 0.5f - 0.5f * std::cos(PI * part);
-}
-
 } // namespace
 
 Recovery::Recovery(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts) :
-		_legs(find_legs(p_rig, p_contacts)), _arms(find_arms(p_rig)), _start(p_rig.size()) {
+		_legs(find_legs(p_rig, p_contacts)), _arms(find_arms(p_rig)), _start(p_rig.size()), _rise(p_rig, _legs, _arms) {
 	_crouch.orientations.resize(p_rig.size());
 	if (_legs.size() != 2) {
 		return;
@@ -67,15 +43,14 @@ void Recovery::go(Phase p_phase, const RigState &p_state) {
 	std::copy(p_state.orientations.begin(), p_state.orientations.end(), _start.begin());
 }
 
-float Recovery::get_torque(float p_most) const {
-	if (_phase == Phase::RISING) {
-		return p_most;
-	}
-	return _phase == Phase::ROLLING ? std::min(settings.torque, p_most) : 0.0f;
+float Recovery::get_strength() const {
+	return _phase == Phase::FALLING ? settings.fall_strength : is_rising() ? settings.rise_strength : 1.0f;
 }
 
 bool Recovery::has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const {
-	const float angle = angle_between(p_state.orientations[0], p_now.orientations[0]);
+	// Who only looks elsewhere stands.
+	const Vec3 up = p_now.orientations[0].inverse().rotate(Vec3{ 0.0f, 1.0f, 0.0f });
+	const float angle = std::acos(std::clamp(p_state.orientations[0].rotate(up).y, -1.0f, 1.0f));
 	return angle > settings.fall_angle ||
 			(angle > 0.5f * settings.fall_angle && p_height < settings.fall_height * p_wanted_height);
 }
@@ -128,68 +103,41 @@ void Recovery::protect(const Rig &p_rig, const RigState &p_state, float p_time_s
 	}
 }
 
-void Recovery::blend(const Rig &p_rig, float p_time_s, Pose &r_pose) {
-	if (_phase == Phase::RISING) {
-		const float share = 1.0f - eased(p_time_s / settings.rise_s);
-		crouch(p_rig, r_pose, share, _crouch);
-		r_pose.orientations = _crouch.orientations;
-		return;
-	}
-	crouch(p_rig, r_pose, 1.0f, _crouch);
-	const bool rolls = _phase == Phase::ROLLING;
-	const float drawn = rolls ? 1.0f : eased(p_time_s / settings.tuck_s);
-	const float rolled = rolls ? eased(p_time_s / settings.roll_s) : 0.0f;
-	const Quat hips = slerp(_start[0], _crouch.orientations[0], rolled);
-	const Quat turn = hips * _crouch.orientations[0].inverse();
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		const Quat drawn_in = turn * _crouch.orientations[i];
-		r_pose.orientations[i] = rolls ? drawn_in : slerp(_start[i], drawn_in, drawn);
+void Recovery::get_up(const Rig &p_rig, const RecoveryInput &p_input, const Pose &p_motion) {
+	_rise.advance(p_rig, *p_input.state, p_motion, p_input.gravity, p_input.delta_s);
+	if (_rise.has_failed()) {
+		go(Phase::FALLING, *p_input.state);
+	} else if (_rise.is_done()) {
+		go(Phase::NONE, *p_input.state);
+	} else {
+		_phase = Phase(int(Phase::TUCKING) + int(_rise.get_stage().part));
 	}
 }
 
-void Recovery::advance(const Rig &p_rig, const RigState &p_state, float p_height, float p_wanted_height, float p_speed,
-		float p_delta_s, Pose &r_now, Pose &r_next) {
-	_time_s += p_delta_s;
-	switch (_phase) {
-		case Phase::NONE:
-			if (has_fallen(p_state, p_height, p_wanted_height, r_now)) {
-				go(Phase::FALLING, p_state);
-			}
-			break;
-		case Phase::FALLING:
-			if ((p_speed < settings.rest_speed && _time_s > settings.rest_from_s) || _time_s > settings.rest_s) {
-				go(Phase::TUCKING, p_state);
-			}
-			break;
-		case Phase::TUCKING:
-			if (_time_s > settings.tuck_s) {
-				go(Phase::ROLLING, p_state);
-			}
-			break;
-		case Phase::ROLLING:
-			crouch(p_rig, r_now, 1.0f, _crouch);
-			if (_time_s > settings.roll_s &&
-					angle_between(p_state.orientations[0], _crouch.orientations[0]) < OVER_FEET) {
-				go(Phase::RISING, p_state);
-			} else if (_time_s > settings.roll_s + GIVE_UP_S) {
-				go(Phase::TUCKING, p_state);
-			}
-			break;
-		case Phase::RISING:
-			crouch(p_rig, r_now, 1.0f - eased(_time_s / settings.rise_s), _crouch);
-			if (angle_between(p_state.orientations[0], _crouch.orientations[0]) > settings.fall_angle) {
-				go(Phase::FALLING, p_state);
-			} else if (_time_s > settings.rise_s) {
-				go(Phase::NONE, p_state);
-			}
-			break;
+void Recovery::advance(const Rig &p_rig, const RecoveryInput &p_input, Pose &r_now, Pose &r_next) {
+	const RigState &state = *p_input.state;
+	_time_s += p_input.delta_s;
+	if (_phase == Phase::NONE) {
+		if (has_fallen(state, p_input.height, p_input.wanted_height, r_now)) {
+			go(Phase::FALLING, state);
+		}
+	} else if (p_input.is_limp) {
+		go(Phase::FALLING, state); // It lies, however long.
+	} else if (_phase == Phase::FALLING) {
+		const bool rests = p_input.speed < settings.rest_speed && _time_s > settings.rest_from_s;
+		if (rests || _time_s > settings.rest_s) {
+			_rise.begin(p_rig, state, _rise.has_failed());
+			get_up(p_rig, p_input, r_now);
+		}
+	} else {
+		get_up(p_rig, p_input, r_now);
 	}
 	if (_phase == Phase::FALLING) {
-		protect(p_rig, p_state, _time_s, r_now);
-		protect(p_rig, p_state, _time_s + p_delta_s, r_next);
-	} else if (_phase != Phase::NONE) {
-		blend(p_rig, _time_s, r_now);
-		blend(p_rig, _time_s + p_delta_s, r_next);
+		protect(p_rig, state, _time_s, r_now);
+		protect(p_rig, state, _time_s + p_input.delta_s, r_next);
+	} else if (is_rising()) {
+		_rise.bend(p_rig, 0.0f, r_now);
+		_rise.bend(p_rig, p_input.delta_s, r_next);
 	}
 }
 
@@ -197,11 +145,12 @@ void Recovery::save(ArchiveWriter &p_archive) const {
 	p_archive.put_all(_start);
 	p_archive.put(_phase);
 	p_archive.put(_time_s);
+	_rise.save(p_archive);
 }
 
 bool Recovery::restore(ArchiveReader &p_archive) {
 	return p_archive.get_all(_start) && p_archive.get(_phase) && int(_phase) >= 0 &&
-			int(_phase) <= int(Phase::RISING) && p_archive.get(_time_s);
+			int(_phase) <= int(Phase::RISING) && p_archive.get(_time_s) && _rise.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "balance/rise.hpp"
 #include "base/archive.hpp"
 #include "body/leg.hpp"
 #include "body/rig.hpp"
@@ -27,28 +28,33 @@ struct RecoverySettings {
 	/// s; and in any case after the third, s.
 	float rest_speed = 0.4f;
 	float rest_from_s = 0.25f;
-	float rest_s = 0.8f;
-	/// How long it takes to draw the legs in, to come over the feet, and to straighten up, s.
-	float tuck_s = 0.3f;
-	float roll_s = 0.6f;
-	float rise_s = 0.8f;
+	float rest_s = 0.6f;
+	/// What joints' torque is multiplied by while the body gets up (0.8 to 2).
+	float rise_strength = 1.5f;
 	/// How far thighs and trunk are bent and shins turned in a crouch, rad.
 	float thigh_angle = 1.75f;
 	float shin_angle = 0.6f;
 	float trunk_angle = 0.5f;
-	/// Greatest torque from outside that turns the hips over the feet, N m (with 300 it takes up to 4.6 s).
-	/// No force does.
-	float torque = 500.0f;
 };
 
-/// Tells when a body falls, and brings it back to its feet: it draws the legs in, comes over its feet in
-/// a crouch, and straightens up into the motion's pose.
+/// What a body knows that may fall.
+struct RecoveryInput {
+	const RigState *state = nullptr;
+	float height = 0.0f; ///< Of the body's centre of mass over its lowest limb, m.
+	float wanted_height = 0.0f; ///< The same of the motion, m.
+	float speed = 0.0f; ///< Of the body's centre of mass, m/s.
+	float gravity = 9.81f; ///< m/s^2
+	bool is_limp = false; ///< Nothing drives the body.
+	float delta_s = 0.0f;
+};
+
+/// Tells when a body falls, lets it fall softly, and brings it back to its feet, see Rise.
 class Recovery {
 public:
 	enum class Phase : int {
 		NONE, ///< The body stands, or lies because the motion does.
 		FALLING,
-		TUCKING,
+		TUCKING, ///< The parts of getting up, see RisePart.
 		ROLLING,
 		RISING,
 	};
@@ -56,20 +62,17 @@ public:
 	Recovery() = default;
 	Recovery(const Rig &p_rig, const std::vector<ContactPoint> &p_contacts);
 
-	/// Begins a step; bends the poses while the body gets up.
-	/// @param p_height of the body's centre of mass over its lowest limb, m
-	/// @param p_wanted_height the same of the motion, m
-	/// @param p_speed of the body's centre of mass, m/s
-	void advance(const Rig &p_rig, const RigState &p_state, float p_height, float p_wanted_height, float p_speed,
-			float p_delta_s, Pose &r_now, Pose &r_next);
+	/// Begins a step; bends the poses while the body falls and gets up.
+	void advance(const Rig &p_rig, const RecoveryInput &p_input, Pose &r_now, Pose &r_next);
 	void clear() { _phase = Phase::NONE; }
 
 	Phase get_phase() const { return _phase; }
 	/// What the joints' torque is multiplied by.
-	float get_strength() const { return _phase == Phase::FALLING ? settings.fall_strength : 1.0f; }
-	/// Greatest torque at the hips, N m, for any phase but NONE.
-	/// @param p_most the torque of a body that its feet carry, N m
-	float get_torque(float p_most) const;
+	float get_strength() const;
+	/// Greatest torque from outside at the hips while the body gets up, as a vector, N m.
+	float get_most_help() const { return is_rising() ? _rise.get_most_help() : 0.0f; }
+	/// That torque in this step, world axes, N m.
+	Vec3 get_help() const { return is_rising() ? _rise.get_help() : Vec3(); }
 
 	void save(ArchiveWriter &p_archive) const;
 	bool restore(ArchiveReader &p_archive);
@@ -77,9 +80,10 @@ public:
 	RecoverySettings settings;
 
 private:
+	bool is_rising() const { return _phase > Phase::FALLING; }
 	void go(Phase p_phase, const RigState &p_state);
+	void get_up(const Rig &p_rig, const RecoveryInput &p_input, const Pose &p_motion);
 	void crouch(const Rig &p_rig, const Pose &p_motion, float p_share, Pose &r_pose) const;
-	void blend(const Rig &p_rig, float p_time_s, Pose &r_pose);
 	/// Bends knees and trunk and reaches for the ground: nobody falls like a plank.
 	void protect(const Rig &p_rig, const RigState &p_state, float p_time_s, Pose &r_pose);
 	bool has_fallen(const RigState &p_state, float p_height, float p_wanted_height, const Pose &p_now) const;
@@ -88,10 +92,11 @@ private:
 	std::vector<std::size_t> _arms; // Upper arms, each before the limbs that hang on it.
 	Vec3 _left; // From the right hip joint to the left one, or the other way round: knees bend ahead, in the hips'
 				// axes.
-	std::vector<Quat> _start; // Where the limbs were when the phase began.
+	std::vector<Quat> _start; // Where the limbs were when the fall began.
+	Rise _rise;
 	Pose _crouch;
 	Phase _phase = Phase::NONE;
-	float _time_s = 0.0f; // In this phase.
+	float _time_s = 0.0f; // Since the fall began.
 };
 
 } // namespace ragdoll
