@@ -366,6 +366,9 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	_calm_s = 0.0f;
 	_torque = 0.0f; // What helps is no hold, see Recovery::get_help().
 	find_deceleration(p_rig);
+	_knocked_s = 0.0f;
+	_usual_error = _velocity_error;
+	_usual_velocity = _velocity;
 	_capture = {};
 	_stood_s = 0.0f;
 }
