@@ -320,7 +320,8 @@ TEST(falls_lies_and_gets_up) {
 		const bool rises = !phases.empty() && phases.back() == Recovery::Phase::RISING;
 		// The body follows as soon as the crouch is wanted, and stays down before.
 		Pose shown = rolled || rises ? stand.now : lying;
-		stand.step(state_of(stand.rig, shown));
+		const bool falls = !phases.empty() && phases.back() == Recovery::Phase::FALLING;
+		stand.step(state_of(stand.rig, shown, falls ? Vec3{ 2.0f, 0.0f, 0.0f } : Vec3()));
 		const Recovery::Phase phase = stand.balance.get_recovery().get_phase();
 		if (phases.empty() || phases.back() != phase) {
 			phases.push_back(phase);
@@ -333,6 +334,8 @@ TEST(falls_lies_and_gets_up) {
 	const std::vector<Recovery::Phase> expected = { Recovery::Phase::FALLING, Recovery::Phase::TUCKING,
 		Recovery::Phase::ROLLING, Recovery::Phase::RISING, Recovery::Phase::NONE };
 	CHECK(phases == expected);
+	// His fall is no knock any more.
+	CHECK(stand.balance.get_torque() > stand.balance.settings.knocked_torque);
 }
 
 TEST(goes_on_the_same_from_a_saved_state) {
