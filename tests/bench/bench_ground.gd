@@ -2,11 +2,12 @@ extends Bench
 ## What carries people, and what becomes of them when they are pushed or the ground is not level.
 ##
 ## Options: --scene=stand|clip|gaits|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|
-## platforms or town (again for more; default all), --root=grounded|soft|inertial|held|lowest_foot|contacts|
-## pendulum|self_righting (default grounded), --bvh=FILE (of the scenes clip, gaits and blocked,
-## again for more; default the clips in assets/motion), --obstacle=wall|corner|table|door (of
-## blocked, again for more; default all), --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for
-## more), --world=NAME, --way=KIND (of the scene town; KIND again for more; default all).
+## platforms or town (again for more; default all),
+## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default
+## grounded), --bvh=FILE (of the scenes clip, gaits and blocked, again for more; default the clips
+## in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
+## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --world=NAME, --way=KIND (of the
+## scene town; KIND again for more; default all).
 
 const _SCENES: Array[String] = [
 	"stand",

@@ -5,7 +5,8 @@ extends RefCounted
 
 ## Who is up has the hips within so much of where they are when standing, m.
 const _UP: float = 0.15
-## Nobody's feet are both higher than this over the hips, m, nor the head lower than this under them.
+## Nobody's feet are both higher than this over the hips, nor the head lower than this under
+## them, m.
 const _LEGS_UP: float = 0.25
 const _HEAD_DOWN: float = 0.1
 ## A limb that is closer to the floor than this touches it, m.

@@ -15,15 +15,15 @@ constexpr std::size_t SITTING_STAGE = 2; // Where somebody who sits already begi
 constexpr float DOWN = 0.2f; // Whose hips lean further (cosine) has fallen again.
 constexpr float OVER_FEET = 0.18f; // A little more than half of a foot: who straightens up comes further, m.
 constexpr float LOWEST_CENTRE = 0.3f; // Of the centre of mass over the feet, m.
-constexpr float LEAST_GRAVITY = 0.1f; // m/s^2
-constexpr float MOST_LEAN = 0.35f; // rad
+constexpr float MIN_PULL = 0.1f; // m/s^2
+constexpr float MAX_LEAN = 0.35f; // rad
 constexpr float LEAN_S = 0.1f; // How slowly the lean changes.
-// The helping torque: springs that a body of 80 kg does not feel as such, N m/rad and N m s/rad.
+// The helping torque before its limit, N m/rad and N m s/rad: all of it from about 0.3 rad on. Not swept.
 constexpr float STIFFNESS = 400.0f;
 constexpr float DAMPING = 60.0f;
 constexpr float HELPED_MORE = 1.5f; // Who does not get up is helped by so much more the next time ...
-constexpr float MOST_HELPED = 4.0f; // ... and at most.
-constexpr float MOST_TURN = 100.0f; // Of it about the vertical, N m.
+constexpr float MAX_HELPED = 4.0f; // ... and at most.
+constexpr float MAX_TURN = 100.0f; // Of it about the vertical, N m.
 
 } // namespace
 
@@ -41,7 +41,7 @@ Rise::Rise(const Rig &p_rig, const std::vector<Leg> &p_legs, const std::vector<s
 }
 
 void Rise::begin(const Rig &p_rig, const RigState &p_state, bool p_again) {
-	_help_scale = p_again ? std::min(_help_scale * HELPED_MORE, MOST_HELPED) : 1.0f;
+	_help_scale = p_again ? std::min(_help_scale * HELPED_MORE, MAX_HELPED) : 1.0f;
 	choose(p_rig, p_state);
 }
 
@@ -107,9 +107,9 @@ void Rise::find_balance(const Rig &p_rig, const RigState &p_state, float p_gravi
 		feet = feet + p_state.centres[std::size_t(leg.foot)] * (1.0f / float(_legs.size()));
 	}
 	const float height = std::max(centre.y - feet.y, LOWEST_CENTRE);
-	_ahead_of_feet = level(centre - feet + velocity * std::sqrt(height / std::max(p_gravity, LEAST_GRAVITY)));
+	_ahead_of_feet = level(centre - feet + velocity * std::sqrt(height / std::max(p_gravity, MIN_PULL)));
 	const float off = _ahead_of_feet.dot(_anatomy.get_view(_heading)) / height;
-	const float wanted = std::clamp(off * get_stage().lean, -MOST_LEAN, MOST_LEAN);
+	const float wanted = std::clamp(off * get_stage().lean, -MAX_LEAN, MAX_LEAN);
 	_lean += (wanted - _lean) * std::min(p_delta_s / LEAN_S, 1.0f);
 }
 
@@ -125,7 +125,7 @@ void Rise::help(const RigState &p_state, const Pose &p_motion, float p_weight) {
 	}
 	if (stage.lean > 0.0f) {
 		// What keeps the capture point over the feet.
-		const Vec3 upright = rises ? UP * std::clamp(_help.y, -MOST_TURN, MOST_TURN) : level(_help);
+		const Vec3 upright = rises ? UP * std::clamp(_help.y, -MAX_TURN, MAX_TURN) : level(_help);
 		_help = _ahead_of_feet.cross(UP) * p_weight + upright;
 	}
 	_help = _help.limited(get_most_help());
@@ -159,7 +159,7 @@ void Rise::advance(const Rig &p_rig, const RigState &p_state, const Pose &p_moti
 	} else if (has_arrived(p_state)) {
 		choose(p_rig, p_state);
 	} else if (_time_s > get_stage().most_s) {
-		_help_scale = std::min(_help_scale * HELPED_MORE, MOST_HELPED);
+		_help_scale = std::min(_help_scale * HELPED_MORE, MAX_HELPED);
 		choose(p_rig, p_state);
 	}
 	find_balance(p_rig, p_state, p_gravity, p_delta_s);

@@ -5,7 +5,7 @@ namespace ragdoll {
 
 namespace {
 
-// The poses were found by hand on films of stick figures, their times and torques then by a random search: bench
+// The poses were found by hand on films of stick people, their times and torques then by a random search: bench
 // ground, scene rise. Angles are in degrees here.
 
 constexpr float DEGREES = PI / 180.0f;
