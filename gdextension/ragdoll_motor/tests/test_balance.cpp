@@ -108,10 +108,13 @@ struct Stand {
 	const ragdoll::Ground *under = &ground;
 	Pose now = standing();
 	Pose next = standing();
+	/// How far the left foot swings ahead in a step, by its thigh, rad.
+	float swing_by = 0.0f;
 
 	void step(const RigState &p_state) {
 		now = standing();
 		next = standing();
+		next.orientations[2] = ragdoll::exp({ -swing_by, 0.0f, 0.0f });
 		BalanceInput input;
 		input.state = &p_state;
 		input.ground = under;
@@ -162,6 +165,32 @@ TEST(sinks_its_torque_when_the_feet_rest) {
 	CHECK_NEAR(stand.balance.get_torque(), stand.balance.settings.standing_torque, 1e-3);
 }
 
+TEST(leaves_who_is_knocked_to_the_feet_for_a_moment) {
+	for (const float speed : { 0.6f, 2.0f }) { // A ball's blow, and a shove of 160 N s.
+		Stand stand;
+		for (int i = 0; i < 10; i++) {
+			stand.step(state_of(stand.rig, standing()));
+		}
+		const float usual = stand.balance.get_torque();
+		stand.step(state_of(stand.rig, standing(), { speed, 0.0f, 0.0f }));
+		const float knocked = stand.balance.settings.knocked_torque;
+		CHECK(speed < 1.0f ? stand.balance.get_torque() > 2.0f * knocked : stand.balance.get_torque() <= knocked);
+		CHECK(usual > 2.0f * knocked);
+		for (int i = 0; i < 60; i++) {
+			stand.step(state_of(stand.rig, standing()));
+		}
+		CHECK(stand.balance.get_torque() > 2.0f * knocked);
+	}
+}
+
+TEST(who_speeds_up_slowly_is_not_knocked) {
+	Stand stand;
+	for (int i = 0; i < 120; i++) {
+		stand.step(state_of(stand.rig, standing(), { 0.03f * float(i), 0.0f, 0.0f }));
+		CHECK(stand.balance.get_torque() > stand.balance.settings.knocked_torque);
+	}
+}
+
 TEST(takes_a_step_towards_where_a_push_drives_it) {
 	Stand stand;
 	const RigState still = state_of(stand.rig, standing());
@@ -209,6 +238,22 @@ TEST(a_foot_whose_ball_is_over_a_step_stands_on_it) {
 			stand.step(state);
 		}
 		CHECK_NEAR(stand.sole(4), from < 0.15f ? 0.17f : 0.0f, 0.01f);
+	}
+}
+
+TEST(a_foot_in_the_air_clears_the_riser_that_comes_next) {
+	// The left foot swings ahead with 2 m/s; its toes are 0.15 m before its ankle, which will be 0.2 m ahead.
+	for (const float rise : { 0.0f, 0.17f }) {
+		Stand stand;
+		const Tread tread(0.42f, rise);
+		stand.under = &tread;
+		const RigState state = state_of(stand.rig, standing());
+		stand.step(state);
+		for (int i = 0; i < 6; i++) {
+			stand.swing_by = 0.06f;
+			stand.step(state);
+		}
+		CHECK_NEAR(stand.sole(4), rise > 0.0f ? rise + stand.balance.settings.clearance : 0.0f, 0.02f);
 	}
 }
 
@@ -275,7 +320,8 @@ TEST(falls_lies_and_gets_up) {
 		const bool rises = !phases.empty() && phases.back() == Recovery::Phase::RISING;
 		// The body follows as soon as the crouch is wanted, and stays down before.
 		Pose shown = rolled || rises ? stand.now : lying;
-		stand.step(state_of(stand.rig, shown));
+		const bool falls = !phases.empty() && phases.back() == Recovery::Phase::FALLING;
+		stand.step(state_of(stand.rig, shown, falls ? Vec3{ 2.0f, 0.0f, 0.0f } : Vec3()));
 		const Recovery::Phase phase = stand.balance.get_recovery().get_phase();
 		if (phases.empty() || phases.back() != phase) {
 			phases.push_back(phase);
@@ -288,6 +334,8 @@ TEST(falls_lies_and_gets_up) {
 	const std::vector<Recovery::Phase> expected = { Recovery::Phase::FALLING, Recovery::Phase::TUCKING,
 		Recovery::Phase::ROLLING, Recovery::Phase::RISING, Recovery::Phase::NONE };
 	CHECK(phases == expected);
+	// His fall is no knock any more.
+	CHECK(stand.balance.get_torque() > stand.balance.settings.knocked_torque);
 }
 
 TEST(goes_on_the_same_from_a_saved_state) {
