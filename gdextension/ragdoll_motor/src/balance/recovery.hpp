@@ -29,7 +29,7 @@ struct RecoverySettings {
 	float rest_speed = 0.4f;
 	float rest_from_s = 0.25f;
 	float rest_s = 0.6f;
-	/// What joints' torque is multiplied by while the body gets up (0.8 to 2).
+	/// What joints' torque is multiplied by while the body gets up. Found by hand, not swept.
 	float rise_strength = 1.5f;
 	/// How far thighs and trunk are bent and shins turned in a crouch, rad.
 	float thigh_angle = 1.75f;
