@@ -2,6 +2,7 @@
 #pragma once
 
 #include "body/leg.hpp"
+#include "body/placement.hpp"
 #include "body/rig.hpp"
 
 #include <vector>
@@ -72,12 +73,7 @@ inline ragdoll::RigState state_of(const ragdoll::Rig &p_rig, const ragdoll::Pose
 	ragdoll::RigState state;
 	state.resize(p_rig.size());
 	std::vector<ragdoll::Vec3> joints;
-	p_rig.joint_positions(p_pose, joints);
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		state.orientations[i] = p_pose.orientations[i];
-		state.centres[i] = joints[i] + p_pose.orientations[i].rotate(p_rig[i].centre);
-	}
-	state.root = p_pose.root;
+	ragdoll::place_at_rest(p_rig, p_pose, joints, state);
 	return state;
 }
 

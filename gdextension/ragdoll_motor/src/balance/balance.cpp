@@ -16,11 +16,9 @@ constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will b
 constexpr float FURTHER_S = 0.1f; // and what its toes have to clear so much later.
 constexpr float BALL_SHARE = 0.8f; // Points of a foot that are so far from the ankle, of the furthest, are its ball.
 constexpr float STEEPEST = 0.7f; // Ground that rises more from ankle to ball is a step, less is a slope.
-constexpr float RISER =
-		0.35f; // Ground that rises more than this towards where the toes come is a riser: stairs, no slope.
+constexpr float RISER = 0.35f; // The same towards where the toes come: stairs, no slope.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
-constexpr float USUAL_S = 0.15f; // What changes more slowly is no knock.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
 constexpr float NONE = 1e9f;
 constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
@@ -76,9 +74,7 @@ void Balance::clear() {
 	_calm_s = 0.0f;
 	_offset = {};
 	_stood_s = 0.0f;
-	_usual_error = {};
-	_usual_velocity = {};
-	_knocked_s = 0.0f;
+	_knock.clear();
 	_begun = false;
 }
 
@@ -311,20 +307,6 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot
 	r_foot.height = towards(r_foot.height, limited, speed * p_input.delta_s);
 }
 
-void Balance::notice_knock(float p_delta_s) {
-	_knocked_s = std::max(_knocked_s - p_delta_s, 0.0f);
-	const Vec3 moved = _velocity - _usual_velocity;
-	const Vec3 off = _velocity_error - _usual_error;
-	// Where the motion itself jumps, the body is not knocked but follows it.
-	const bool follows = (moved - off).length() > 0.5f * settings.knock_speed;
-	if (!follows && std::min(moved.length(), off.length()) > settings.knock_speed) {
-		_knocked_s = settings.knocked_s;
-	}
-	const float part = share(p_delta_s, USUAL_S);
-	_usual_error = _usual_error + (_velocity_error - _usual_error) * part;
-	_usual_velocity = _usual_velocity + (_velocity - _usual_velocity) * part;
-}
-
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	const float weight = p_rig.get_mass() * p_input.gravity;
 	const Vec3 wanted = (_error * settings.follow + _velocity_error) * (-settings.follow * p_rig.get_mass());
@@ -332,7 +314,7 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_force = (_force + (wanted - _force) * share(p_input.delta_s, settings.smooth_s)).limited(_force_limit);
 	const float stood = std::clamp((_stood_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
 	_torque = settings.torque + (settings.standing_torque - settings.torque) * stood;
-	if (_knocked_s > 0.0f) {
+	if (_knock.is_knocked()) {
 		_torque = std::min(_torque, settings.knocked_torque);
 	}
 	_bearing = settings.bearing + (1.0f - settings.bearing) * stood;
@@ -366,9 +348,7 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	_calm_s = 0.0f;
 	_torque = 0.0f; // What helps is no hold, see Recovery::get_help().
 	find_deceleration(p_rig);
-	_knocked_s = 0.0f;
-	_usual_error = _velocity_error;
-	_usual_velocity = _velocity;
+	_knock.rest(_velocity, _velocity_error);
 	_capture = {};
 	_stood_s = 0.0f;
 }
@@ -404,7 +384,7 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 		move_foot(p_input, r_now, foot);
 		_stood_s = foot.swings ? 0.0f : _stood_s;
 	}
-	notice_knock(p_input.delta_s);
+	_knock.advance(_velocity, _velocity_error, p_input.delta_s);
 	push(p_rig, p_input);
 	bend(p_rig, r_now, _joints_now);
 	bend(p_rig, r_next, _joints_next);
@@ -419,9 +399,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
 	p_archive.put(_calm_s);
-	p_archive.put(_usual_error);
-	p_archive.put(_usual_velocity);
-	p_archive.put(_knocked_s);
+	_knock.save(p_archive);
 	p_archive.put(_begun);
 	_recovery.save(p_archive);
 }
@@ -431,8 +409,7 @@ bool Balance::restore(ArchiveReader &p_archive) {
 		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 	}
 	return p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && p_archive.get(_calm_s) &&
-			p_archive.get(_usual_error) && p_archive.get(_usual_velocity) && p_archive.get(_knocked_s) &&
-			p_archive.get(_begun) && _recovery.restore(p_archive);
+			_knock.restore(p_archive) && p_archive.get(_begun) && _recovery.restore(p_archive);
 }
 
 } // namespace ragdoll

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "balance/knock.hpp"
 #include "balance/recovery.hpp"
 #include "base/archive.hpp"
 #include "body/leg.hpp"
@@ -23,11 +24,8 @@ struct BalanceSettings {
 	/// runners fall), and of somebody who has stood for some time and is to give way (230 to 270).
 	float torque = 800.0f;
 	float standing_torque = 240.0f;
-	/// Who is knocked by more than the first number, m/s of the whole body within some steps, is left to the feet: no
-	/// more torque from outside than the second, N m, for the third, s.
-	float knock_speed = 1.3f;
+	/// Greatest torque from outside of somebody who is knocked (see Knock), N m: he is left to his feet.
 	float knocked_torque = 80.0f;
-	float knocked_s = 0.8f;
 	/// What the torque of legs and trunk is multiplied by while the feet move: they have to swing limbs
 	/// whose inertia is scaled, and to catch a runner's weight (1.5 to 3).
 	float bearing = 2.0f;
@@ -213,8 +211,6 @@ private:
 	void find_deceleration(const Rig &p_rig);
 	void stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next);
 	void push(const Rig &p_rig, const BalanceInput &p_input);
-	/// Notices blows and collisions: the body is moved at once as the motion is not.
-	void notice_knock(float p_delta_s);
 	void bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints);
 	float sole_height(const Pose &p_pose, const Foot &p_foot) const;
 
@@ -238,9 +234,7 @@ private:
 	float _ease = 0.0f; // How much at ease somebody stands, 0 to 1.
 	float _deceleration = 0.0f; // rad/s^2
 	Vec3 _velocity; // Of the centre of mass, horizontal, m/s.
-	Vec3 _usual_velocity; // The same, and the velocity error, as they were some steps ago, m/s.
-	Vec3 _usual_error;
-	float _knocked_s = 0.0f; // How much longer somebody counts as knocked.
+	Knock _knock;
 	float _stood_s = 0.0f; // Since a foot of the motion swung.
 	float _calm_s = 0.0f; // Since any foot was in the air.
 	bool _begun = false;
