@@ -132,11 +132,12 @@ def test_a_change_of_level_drops_nobody(offers: Range) -> None:
     offers.change_to("hall")
     people = len(offers.server.report()["people"])
     trainee = offers.world.trainee("--name=T0")
+    await_level(trainee, "hall")
     with Crowd() as crowd:
-        # The other one only listens.
+        # The other one only listens; it is lost as soon as nobody lets it go on for some seconds.
         other = OwnClient(offers.world.port, TRAINEE, name="T1")
         crowd.join([other])
-        await_level(trainee, "hall")
+        offers.server.mark()
         # It may have to wait for its turn: the other one goes on listening.
         offers.instructor.type("level range")
         crowd.go_on_until(lambda: "the world is now 'range'" in offers.instructor.log())
