@@ -91,7 +91,7 @@ Data Master::sample(double p_motion_s, uint16_t p_counter) {
 	for (const Tracker &tracker : _trackers) {
 		const std::size_t at = data.size();
 		data.resize(at + Tracker::LONGEST);
-		const Reading reading = tracker.read(_stream, p_motion_s, _random);
+		const Reading reading = tracker.read(_stream, p_motion_s, motion_runs(), _random);
 		const std::size_t size = tracker.write_data(reading, true, p_counter, data.data() + at);
 		data.resize(std::size_t(std::max<ptrdiff_t>(ptrdiff_t(at + size) + tracker.length_fault, ptrdiff_t(at))));
 	}

@@ -44,7 +44,7 @@ int64_t StandAlone::sample_ticks() const {
 }
 
 Data StandAlone::sample(double p_motion_s, uint16_t p_counter) {
-	const Reading reading = _tracker.read(_stream, p_motion_s, _random);
+	const Reading reading = _tracker.read(_stream, p_motion_s, motion_runs(), _random);
 	Data data;
 	if (_items.empty()) {
 		data.resize(Tracker::LONGEST);

@@ -29,8 +29,12 @@ Mounting Mounting::random(Random &r_random, double p_heading) {
 	return mounting;
 }
 
-Reading Tracker::read(const MotionStream &p_stream, double p_time_s, Random &r_random) const {
-	const LimbMotion motion = p_stream.at(limb, p_time_s);
+Reading Tracker::read(const MotionStream &p_stream, double p_time_s, bool p_runs, Random &r_random) const {
+	LimbMotion motion = p_stream.at(limb, p_time_s);
+	if (!p_runs) {
+		motion.rate = Vec3();
+		motion.acceleration = Vec3();
+	}
 	const Quat north = turn_about_up(mounting.heading + mounting.drift * p_time_s);
 	Quat sensor = north * motion.orientation * mounting.rotation;
 	if (mounting.noise > 0.0) {

@@ -58,7 +58,8 @@ public:
 	/// Bytes by which its data differ from the length that it reports: a fault.
 	int length_fault = 0;
 
-	Reading read(const MotionStream &p_stream, double p_time_s, Random &r_random) const;
+	/// @param p_runs whether the motion goes on; who holds still neither turns nor is accelerated
+	Reading read(const MotionStream &p_stream, double p_time_s, bool p_runs, Random &r_random) const;
 	/// What its settings ask for of MTData, less what does not exist.
 	xbus::OutputFormat format() const;
 	/// Bytes of its part of MTData. Behind a master there is no counter of its own.

@@ -75,6 +75,8 @@ public:
 	double motion_time(Usec p_now) const {
 		return _motion_s + (_motion_runs && p_now > _motion_since ? double(p_now - _motion_since) * 1e-6 : 0.0);
 	}
+	/// Whether it goes on.
+	bool motion_runs() const { return _motion_runs; }
 	/// Sends an Error message by itself.
 	void send_error(uint8_t p_code, Usec p_now);
 

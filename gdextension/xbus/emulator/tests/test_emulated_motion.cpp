@@ -85,8 +85,8 @@ TEST(rates_and_accelerations_follow_from_the_motion) {
 	for (uint64_t seed = 0; seed < 50; seed++) {
 		Random chance(seed);
 		const Tracker tracker = tracker_with(Mounting::random(chance, 1.0));
-		const Reading now = tracker.read(stream, 0.5, random);
-		const Reading later = tracker.read(stream, 0.501, random);
+		const Reading now = tracker.read(stream, 0.5, true, random);
+		const Reading later = tracker.read(stream, 0.501, true, random);
 		const Vec3 turned = log(now.orientation.inverse() * later.orientation) * 1000.0F;
 		CHECK_NEAR(turned.x, now.rate[0], 0.01);
 		CHECK_NEAR(turned.y, now.rate[1], 0.01);
@@ -99,13 +99,22 @@ TEST(rates_and_accelerations_follow_from_the_motion) {
 	}
 }
 
+TEST(who_holds_still_feels_gravity_alone) {
+	MotionStream stream;
+	CHECK(stream.parse(make_stream(2.0F, 3.0F)).empty());
+	Random random(1);
+	const Reading held = tracker_with(Mounting()).read(stream, 0.5, false, random);
+	CHECK_NEAR(held.rate[2], 0.0, 1e-6);
+	CHECK_NEAR(held.acceleration[2], 9.81, 1e-4);
+}
+
 TEST(a_sensor_says_its_mounting_and_its_north) {
 	const MotionStream stream = MotionStream::still(1);
 	Random random(3);
 	for (uint64_t seed = 0; seed < 50; seed++) {
 		Random chance(seed);
 		const Mounting mounting = Mounting::random(chance, 0.5);
-		const Reading reading = tracker_with(mounting).read(stream, 5.0, random);
+		const Reading reading = tracker_with(mounting).read(stream, 5.0, true, random);
 		const auto half = float(mounting.heading / 2.0);
 		const Quat expected = Quat{ 0.0F, 0.0F, std::sin(half), std::cos(half) } * mounting.rotation;
 		CHECK_NEAR(angle_between(expected, reading.orientation), 0.0, 1e-3);
