@@ -4,7 +4,7 @@ extends Bench
 ## Options: --scene=stand|clip|gaits|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|
 ## platforms or town (again for more; default all),
 ## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default
-## grounded), --bvh=FILE (of the scenes clip, gaits and blocked, again for more; default the clips
+## grounded), --bvh=FILE (of the scenes clip, gaits, crates and blocked, again for more; default the clips
 ## in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
 ## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --world=NAME, --way=KIND (of the
 ## scene town; KIND again for more; default all).
@@ -75,7 +75,10 @@ func _play(p_name: String) -> void:
 				await _clip(file)
 		"gaits":
 			for file: String in BenchArguments.clips(arguments):
-				await _gaits(file)
+				await _gaits(file, GroundGaits.KINDS)
+		"crates":
+			for file: String in BenchArguments.clips(arguments):
+				await _gaits(file, [GroundGaits.CRATES])
 		"push":
 			await _push()
 		"rise":
@@ -91,12 +94,12 @@ func _play(p_name: String) -> void:
 
 
 ## A clip on ground that its wearer does not have.
-func _gaits(p_file: String) -> void:
+func _gaits(p_file: String, p_kinds: Array[String]) -> void:
 	var performer: ContactPerformer = _open(p_file)
 	if performer == null:
 		return
 	var gaits: GroundGaits = GroundGaits.new(self, report, option("hz"), root_mode())
-	for kind: String in GroundGaits.KINDS:
+	for kind: String in p_kinds:
 		await gaits.walk(performer, kind, "%s on %s" % [p_file.get_file(), kind])
 
 

@@ -1,7 +1,7 @@
 class_name GroundWalks
 extends RefCounted
-## People with a known position on ground that is not as their own: slopes, stairs, loose crates, a
-## wall in the way, platforms.
+## People with a known position on ground that is not as their own: slopes, stairs, a wall in the
+## way, platforms.
 
 const Walker: GDScript = preload("../gait/walker.gd")
 const _RISE: float = 0.17
@@ -49,26 +49,6 @@ func stairs() -> void:
 		await _walk(
 			"stairs %s" % ("up" if rise > 0.0 else "down"), world, walker.ground_at, person, walker
 		)
-
-
-## Walks over loose crates of 5 to 20 cm.
-func crates() -> void:
-	for seed: int in 5:
-		var world: ContactWorld = _enter_world()
-		world.add_floor(0.0)
-		var random: RandomNumberGenerator = RandomNumberGenerator.new()
-		random.seed = seed
-		for crate: int in 200:
-			var size: Vector3 = Vector3(
-				random.randf_range(0.15, 0.4),
-				random.randf_range(0.05, 0.2),
-				random.randf_range(0.15, 0.4)
-			)
-			var at: Vector3 = Vector3(
-				random.randf_range(-1.2, 1.2), size.y / 2.0, random.randf_range(0.6, 14.0)
-			)
-			world.add_crate(size, at, size.x * size.y * size.z * 400.0)
-		await _walk("crates, seed %d" % seed, world, func(_z: float) -> float: return 0.0)
 
 
 ## Walks three metres into a wall.

@@ -10,22 +10,14 @@ namespace ragdoll {
 
 namespace {
 
-constexpr float SAME_POSITION = 0.015f; // Ground under a point that has moved less (m) is looked at no more.
-constexpr float LOOK_AGAIN_S = 0.1f; // And for so long.
 constexpr float AHEAD_S = 0.12f; // The ground is looked for where a foot will be,
 constexpr float FURTHER_S = 0.1f; // and what its toes have to clear so much later.
 constexpr float BALL_SHARE = 0.8f; // Points of a foot that are so far from the ankle, of the furthest, are its ball.
-constexpr float STEEPEST = 0.7f; // Ground that rises more from ankle to ball is a step, less is a slope.
-constexpr float RISER = 0.35f; // The same towards where the toes come: stairs, no slope.
 constexpr float SETTLE_FROM_S = 0.3f; // Who has stood for so long stands ...
 constexpr float SETTLE_S = 0.4f; // ... more and more within this time.
 constexpr float MIN_GRAVITY = 0.1f; // For the capture point, m/s^2: without gravity there is none.
 constexpr float NONE = 1e9f;
 constexpr float MIN_HEIGHT = 0.3f; // Of the centre of mass over the feet, m: somebody who lies.
-
-float towards(float p_from, float p_to, float p_most) {
-	return p_from + std::clamp(p_to - p_from, -p_most, p_most);
-}
 
 } // namespace
 
@@ -73,6 +65,7 @@ void Balance::clear() {
 	_ease = 0.0f;
 	_calm_s = 0.0f;
 	_offset = {};
+	_sag = 0.0f;
 	_stood_s = 0.0f;
 	_knock.clear();
 	_begun = false;
@@ -97,7 +90,7 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 	if (!_begun) {
 		_offset = centre - wanted;
 		for (Foot &foot : _feet) {
-			foot.height = _offset.y;
+			foot.hold.begin(_offset.y);
 		}
 		_begun = true;
 	}
@@ -163,10 +156,10 @@ void Balance::move_offset(const BalanceInput &p_input) {
 	float floor = NONE;
 	for (Foot &foot : _feet) {
 		foot.offset = foot.offset - moved;
-		floor = !foot.is_up() ? std::min(floor, foot.height) : floor;
+		floor = !foot.is_up() ? std::min(floor, foot.hold.find_rise(settings.foothold)) : floor;
 	}
 	if (floor < NONE) {
-		_offset.y = towards(_offset.y, floor, 0.5f * settings.rise_speed * delta);
+		_offset.y = towards(_offset.y, floor, settings.rise_speed * delta);
 	}
 }
 
@@ -237,74 +230,32 @@ Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) con
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
-void Balance::look(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_at, Foot &r_foot) {
-	const std::size_t limb = std::size_t(r_foot.limbs.foot);
-	const Vec3 ball = level(p_now.orientations[limb].rotate(r_foot.ball));
-	r_foot.looked = p_at;
-	r_foot.age_s = 0.0f;
-	r_foot.ground = p_input.ground->find(p_at, Ground::STEP);
-	r_foot.step = -NONE;
-	// On stairs the ball of a foot comes onto the next tread, the heel stays behind it.
-	const Footing ahead = p_input.ground->find(p_at + ball, Ground::STEP);
-	const bool is_step = !ahead.is_loose && ahead.height - r_foot.ground.height > STEEPEST * ball.length();
-	if (is_step && ahead.height - sole_height(p_now, r_foot) < _offset.y + Ground::STEP) {
-		r_foot.ground = ahead;
-	}
-	if (r_foot.is_up()) {
-		look_ahead(p_input, p_now, p_at + ball, ahead, r_foot);
-	}
-}
-
-void Balance::look_ahead(
-		const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_ball, const Footing &p_ahead, Foot &r_foot) {
-	const std::size_t limb = std::size_t(r_foot.limbs.foot);
-	const float sole = sole_height(p_now, r_foot);
-	const float toes = _joints_now[limb].y + p_now.orientations[limb].rotate(r_foot.ball).y;
-	const Vec3 further = p_ball + level(find_velocity(p_input, limb)) * FURTHER_S;
-	const Footing next = p_input.ground->find(further, Ground::STEP);
-	const auto is_riser = [&](const Footing &p_ground, const Vec3 &p_place) {
-		return p_ground.height - r_foot.ground.height > RISER * level(p_place - r_foot.looked).length();
-	};
-	if (!is_riser(next, further) && !is_riser(p_ahead, p_ball)) {
-		return;
-	}
-	const auto raise = [&](const Footing &p_ground, float p_over) {
-		if (!p_ground.is_loose && std::isfinite(p_ground.height)) {
-			r_foot.step = std::max(r_foot.step, p_ground.height + settings.clearance - p_over);
-		}
-	};
-	raise(r_foot.ground, sole);
-	raise(p_ahead, toes);
-	raise(next, sole);
-}
-
 void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
 	if (p_input.ground == nullptr) {
 		return;
 	}
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
-	Vec3 at = _joints_now[limb] + _offset + r_foot.offset + level(find_velocity(p_input, limb)) * AHEAD_S;
+	const Vec3 velocity = level(find_velocity(p_input, limb));
+	const Vec3 ball = p_now.orientations[limb].rotate(r_foot.ball);
+	FootPlace place;
+	place.ankle = _joints_now[limb] + _offset + r_foot.offset + velocity * AHEAD_S;
 	// Wherever the motion is: the ground is under the body.
-	at.y = std::clamp(at.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
-	r_foot.age_s += p_input.delta_s;
-	const bool is_old = r_foot.age_s > LOOK_AGAIN_S || r_foot.ground.moves();
-	if (is_old || level(at - r_foot.looked).length() > SAME_POSITION) {
-		look(p_input, p_now, at, r_foot);
-	}
-	if (!std::isfinite(r_foot.ground.height)) {
-		return;
-	}
-	float needed = r_foot.ground.height - sole_height(p_now, r_foot);
-	if (r_foot.ground.is_loose && needed > _offset.y + settings.loose_step) {
-		needed = _offset.y;
-	}
-	const float wanted = r_foot.is_up() ? std::max(std::max(_offset.y, needed), r_foot.step) : needed;
-	const float limited = std::clamp(wanted, _offset.y - settings.climb, _offset.y + settings.climb);
-	// A foot in the air hurries onto a step, or it would strike it.
-	const bool climbs = r_foot.is_up() && !r_foot.ground.is_loose;
-	const float higher = climbs ? std::max(limited - std::max(r_foot.height, _offset.y), 0.0f) : 0.0f;
-	const float speed = settings.rise_speed + settings.rise_faster * higher;
-	r_foot.height = towards(r_foot.height, limited, speed * p_input.delta_s);
+	place.ankle.y = std::clamp(place.ankle.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
+	place.ball = level(ball);
+	place.further = velocity * FURTHER_S;
+	place.sole = sole_height(p_now, r_foot);
+	place.toes = _joints_now[limb].y + ball.y;
+	place.body = _offset.y;
+	place.is_up = r_foot.is_up();
+	r_foot.hold.advance(*p_input.ground, settings.foothold, place, p_input.delta_s);
+}
+
+void Balance::find_sag(const BalanceInput &p_input, const Pose &p_now) {
+	const bool gives_way =
+			std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.hold.is_loose(); });
+	const float meant = p_now.root.y + _offset.y - settings.sag_slack;
+	const float low = gives_way ? std::clamp(p_input.state->root.y - meant, -settings.sag_most, 0.0f) : 0.0f;
+	_sag = std::min(low, _sag + settings.sag_back * p_input.delta_s);
 }
 
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
@@ -336,11 +287,12 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 	r_next.root = r_next.root + _offset;
 	for (Foot &foot : _feet) {
 		foot.offset = {};
-		foot.height = _offset.y;
+		foot.hold.begin(_offset.y);
 		foot.step_s = -1.0f;
 		foot.lift = 0.0f;
 		foot.is_new = false;
 	}
+	_sag = 0.0f;
 	_force = {};
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
@@ -359,7 +311,7 @@ void Balance::bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints) 
 		joint = joint + _offset;
 	}
 	for (const Foot &foot : _feet) {
-		const Vec3 away = foot.offset + Vec3{ 0.0f, foot.height - _offset.y + foot.lift, 0.0f };
+		const Vec3 away = foot.offset + Vec3{ 0.0f, foot.hold.get_height() - _offset.y + foot.lift - _sag, 0.0f };
 		if (away.length() > 1e-4f) {
 			bend_leg(p_rig, foot.limbs, away, r_pose, r_joints);
 		}
@@ -377,6 +329,7 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 		stay(p_rig, p_input, r_now, r_next);
 		return;
 	}
+	find_sag(p_input, r_now);
 	move_offset(p_input);
 	begin_steps();
 	_stood_s += p_input.delta_s;
@@ -394,8 +347,10 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 void Balance::save(ArchiveWriter &p_archive) const {
 	for (const Foot &foot : _feet) {
 		Foot::for_each_saved(foot, [&](const auto &p_value) { p_archive.put(p_value); });
+		foot.hold.save(p_archive);
 	}
 	p_archive.put(_offset);
+	p_archive.put(_sag);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
 	p_archive.put(_calm_s);
@@ -407,9 +362,11 @@ void Balance::save(ArchiveWriter &p_archive) const {
 bool Balance::restore(ArchiveReader &p_archive) {
 	for (Foot &foot : _feet) {
 		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
+		foot.hold.restore(p_archive);
 	}
-	return p_archive.get(_offset) && p_archive.get(_force) && p_archive.get(_stood_s) && p_archive.get(_calm_s) &&
-			_knock.restore(p_archive) && p_archive.get(_begun) && _recovery.restore(p_archive);
+	return p_archive.get(_offset) && p_archive.get(_sag) && p_archive.get(_force) && p_archive.get(_stood_s) &&
+			p_archive.get(_calm_s) && _knock.restore(p_archive) && p_archive.get(_begun) &&
+			_recovery.restore(p_archive);
 }
 
 } // namespace ragdoll

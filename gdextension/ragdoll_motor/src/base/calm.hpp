@@ -12,6 +12,11 @@ inline float share(float p_delta_s, float p_time_s) {
 	return 1.0f - std::exp(-p_delta_s / p_time_s);
 }
 
+/// A value brought nearer to another one by no more than a step.
+inline float towards(float p_from, float p_to, float p_most) {
+	return p_from + std::clamp(p_to - p_from, -p_most, p_most);
+}
+
 /// Says how much of what a predictor did not expect is noise, and so how far the predictor is corrected.
 ///
 /// A predictor of position and rate is corrected by shares of its surprises (the critically damped g-h
