@@ -4,8 +4,8 @@ extends Bench
 ## Options: --scene=stand|clip|gaits|push|rise|ball|blocked|slopes|stairs|crates|wall|doors|
 ## platforms or town (again for more; default all),
 ## --root=grounded|soft|inertial|held|lowest_foot|contacts|pendulum|self_righting (default
-## grounded), --bvh=FILE (of the scenes clip, gaits, crates and blocked, again for more; default the clips
-## in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more; default all),
+## grounded), --bvh=FILE (of the scenes clip, gaits, crates and blocked, again for more; default
+## the clips in assets/motion), --obstacle=wall|corner|table|door (of blocked, again for more),
 ## --hz=60, --set=PROPERTY=NUMBER (of Ragdoll, again for more), --world=NAME, --way=KIND (of the
 ## scene town; KIND again for more; default all).
 
@@ -30,6 +30,9 @@ const _MAX_S: float = 60.0
 const _MIN_S: float = 1.0
 ## The weight on the floor in a clip: that of runs, as nobody knows what a file is.
 const _CLIP_SHARE: float = 85.0
+
+## See [method _torque_goal].
+const _TORQUES: Array[float] = [15.0, 60.0, 150.0]
 
 ## Worlds of people who get up.
 const _RISE_BATCHES: int = 5
@@ -216,12 +219,22 @@ func _clip(p_file: String) -> void:
 	run.end()
 
 
+## Greatest torque from outside, p95, of somebody who stands, walks or runs at a speed, N·m.
+func _torque_goal(p_speed: float) -> float:
+	return _TORQUES[2 if p_speed >= 2.4 else (1 if p_speed >= 0.3 else 0)]
+
+
 func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> void:
 	var weight: float = p_run.weight()
 	var share: float = 100.0 * GroundRun.mean(p_run.carried, p_from) / weight
 	report.at_least(p_case, "weight on the ground", share, "%", p_share)
-	var force: float = 100.0 * GroundRun.percentile(p_run.residual, 0.95) / weight
-	report.at_most(p_case, "force from outside p95", force, "% of weight", 8.0)
+	var force: float = 100.0 * GroundRun.percentile(p_run.forces, 0.95) / weight
+	report.at_most(p_case, "force from outside p95", force, "% of weight", 6.0)
+	var torque: float = GroundRun.percentile(p_run.torques, 0.95)
+	report.add(
+		p_case, "torque from outside, median", GroundRun.percentile(p_run.torques, 0.5), "N m"
+	)
+	report.at_most(p_case, "torque from outside p95", torque, "N m", _torque_goal(p_run.speed()))
 	report.at_most(p_case, "error", GroundRun.mean(p_run.errors), "deg", 2.0)
 	report.at_most(p_case, "error above the legs", GroundRun.mean(p_run.upper), "deg", 1.2)
 	report.at_most(

@@ -1,12 +1,17 @@
 class_name GroundPlate
 extends RefCounted
-## A floor of its own under each person that weighs what stands on it, and tells where: force and
-## torque. As [GroundScale], but free to turn.
+## A floor that weighs what stands on it, and tells where: force and torque.
+##
+## The engine tells no contact force of a ragdoll that could be trusted, so the floor is a free body
+## of great mass without gravity: what touches it in a step gives it a velocity and a spin, which
+## are read and taken away again after the step. Force = mass x velocity / step (Newton's third
+## law).
 
 ## So heavy that it yields by less than a nanometre a step, kg.
 const MASS: float = 1e6
-## Width and thickness, m.
+## Width and thickness of a floor for one person who stays, and for one who walks, m.
 const SIZE: Vector3 = Vector3(8.0, 1.0, 8.0)
+const WIDE: Vector3 = Vector3(60.0, 1.0, 60.0)
 
 ## What the floor did to the person in the last step: N, and N·m about [member at].
 var force: Vector3 = Vector3.ZERO
@@ -19,9 +24,9 @@ var _inertia: Vector3 = Vector3.ZERO
 
 
 ## Makes the floor, the middle of its top at a place.
-func _init(p_world: ContactWorld, p_top: Vector3) -> void:
-	at = p_top + Vector3.DOWN * (SIZE.y / 2.0)
-	var body: RigidBody3D = p_world.add_crate(SIZE, at, MASS)
+func _init(p_world: ContactWorld, p_top: Vector3, p_size: Vector3 = SIZE) -> void:
+	at = p_top + Vector3.DOWN * (p_size.y / 2.0)
+	var body: RigidBody3D = p_world.add_crate(p_size, at, MASS)
 	body.collision_layer = PhysicsLayers.STATIC
 	body.collision_mask = PhysicsLayers.ALL  # Or the other side would feel no contact.
 	body.gravity_scale = 0.0
@@ -33,7 +38,7 @@ func _init(p_world: ContactWorld, p_top: Vector3) -> void:
 	material.friction = 1.0
 	body.physics_material_override = material
 	_body = body.get_rid()
-	var squares: Vector3 = SIZE * SIZE
+	var squares: Vector3 = p_size * p_size
 	_inertia = Vector3(squares.y + squares.z, squares.x + squares.z, squares.x + squares.y)
 	_inertia *= MASS / 12.0
 

@@ -14,8 +14,6 @@ const _TOUCHES: float = 0.015
 
 var person: ContactPerson = null
 var plate: GroundPlate = null
-## What lies on the person; null for nothing.
-var crate: RigidBody3D = null
 ## Upright again after so long, s.
 var up_s: float = INF
 ## Torque from outside while getting up, N·m, and the sum of it times the time, N·m·s.
@@ -28,14 +26,20 @@ var legs_up_s: float = 0.0
 var head_down_s: float = 0.0
 
 var _hips: float = 0.0
-var _momentum: Vector3 = Vector3.INF
+var _residual: GroundResidual = null
 var _shares: PackedFloat64Array = []
 
 
 func _init(p_person: ContactPerson, p_plate: GroundPlate) -> void:
 	person = p_person
 	plate = p_plate
+	_residual = GroundResidual.new(p_person, p_plate)
 	_hips = p_person.standing_hips().y
+
+
+## Puts something on the person.
+func bear(p_crate: RigidBody3D) -> void:
+	_residual.crate = p_crate
 
 
 ## Lies down where it is told to: lets itself fall, with a push (N·s) and a turn (N·m·s).
@@ -54,18 +58,13 @@ func rise() -> void:
 
 ## After a step, [param p_time_s] after it began to get up.
 func note(p_time_s: float, p_delta_s: float) -> void:
-	plate.read(p_delta_s)
+	var is_known: bool = _residual.note(p_delta_s)
 	var phase: int = person.ragdoll.motor.get_balance()["phase"]
 	var bodies: Array[Transform3D] = person.bodies()
-	var centre: Vector3 = _centre(bodies)
-	var momentum: Vector3 = _angular_momentum(bodies, centre)
-	if phase >= RagdollMotor.BALANCE_TUCKING and _momentum != Vector3.INF:
-		var from_floor: Vector3 = plate.torque + (plate.at - centre).cross(plate.force)
-		var outside: float = ((momentum - _momentum) / p_delta_s - from_floor).length()
-		torques.append(outside)
-		impulse += outside * p_delta_s
+	if phase >= RagdollMotor.BALANCE_TUCKING and is_known:
+		torques.append(_residual.torque.length())
+		impulse += torques[-1] * p_delta_s
 		_note_posture(bodies, p_delta_s)
-	_momentum = momentum
 	var low: bool = person.joint(0, bodies).y < _hips - _UP
 	if low or phase != RagdollMotor.BALANCE_STANDING:
 		up_s = INF
@@ -117,36 +116,3 @@ func _mean(p_points: PackedVector3Array) -> Vector3:
 	for point: Vector3 in p_points:
 		sum += point
 	return sum / p_points.size()
-
-
-## Bodies of the person and what lies on it.
-func _rids() -> Array[RID]:
-	var rids: Array[RID] = person.ragdoll.get_bodies().duplicate()
-	if crate != null:
-		rids.append(crate.get_rid())
-	return rids
-
-
-func _centre(p_bodies: Array[Transform3D]) -> Vector3:
-	var sum: Vector3 = Vector3.ZERO
-	var mass: float = 0.0
-	for limb: int in person.count:
-		sum += p_bodies[limb].origin * person.mass_of(limb)
-		mass += person.mass_of(limb)
-	if crate != null:
-		sum += crate.global_position * crate.mass
-		mass += crate.mass
-	return sum / mass
-
-
-## About the common centre of mass, with the inertia that the engine has, kg·m²/s.
-func _angular_momentum(p_bodies: Array[Transform3D], p_centre: Vector3) -> Vector3:
-	var sum: Vector3 = Vector3.ZERO
-	var rids: Array[RID] = _rids()
-	for i: int in rids.size():
-		var state: PhysicsDirectBodyState3D = PhysicsServer3D.body_get_direct_state(rids[i])
-		var place: Vector3 = p_bodies[i].origin if i < person.count else crate.global_position
-		var mass: float = person.mass_of(i) if i < person.count else crate.mass
-		sum += (place - p_centre).cross(state.linear_velocity * mass)
-		sum += state.inverse_inertia_tensor.inverse() * state.angular_velocity
-	return sum

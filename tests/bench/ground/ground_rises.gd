@@ -43,7 +43,7 @@ func run(p_world: ContactWorld, p_enter: Callable, p_load: float, p_seed: int) -
 		if p_load > 0.0:
 			var chest: int = riser.person.find(&"Chest")
 			var above: Vector3 = riser.person.bodies()[chest].origin + Vector3.UP * 0.35
-			riser.crate = p_world.add_crate(Vector3(0.4, 0.3, 0.4), above, p_load)
+			riser.bear(p_world.add_crate(Vector3(0.4, 0.3, 0.4), above, p_load))
 		riser.rise()
 	var began_s: float = p_world.time_s
 	await p_world.run(

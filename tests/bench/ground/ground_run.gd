@@ -7,8 +7,9 @@ const UPPER: int = 10
 
 ## Vertical force on the floor, N, one entry a step.
 var carried: PackedFloat64Array = []
-## Force that neither gravity nor the floor explains, N.
-var residual: PackedFloat64Array = []
+## Force and torque from outside, N and N·m: the sizes of the vectors.
+var forces: PackedFloat64Array = []
+var torques: PackedFloat64Array = []
 ## Mean error of all limbs, and of those above the legs, deg.
 var errors: PackedFloat64Array = []
 var upper: PackedFloat64Array = []
@@ -24,30 +25,29 @@ var steps: int = 0
 
 var world: ContactWorld = null
 var person: ContactPerson = null
-var scale: GroundScale = null
+var _plate: GroundPlate = null
 var _bodies_before: Array[Transform3D] = []
+var _hips_before: Vector3 = Vector3.ZERO
+var _way: float = 0.0
 var _was_stepping: bool = false
-var _momentum_before: Vector3 = Vector3.ZERO
+var _residual: GroundResidual = null
 
 
-## Begins with a world that holds a floor of force.
-func _init(p_tree: SceneTree, p_hz: int, p_slope: Basis = Basis.IDENTITY) -> void:
+## Begins with a world that holds a floor of force; somebody enters it next.
+func _init(p_tree: SceneTree, p_hz: int) -> void:
 	world = ContactWorld.new(p_hz)
 	p_tree.root.add_child(world)
-	scale = GroundScale.new(world, 0.0, p_slope)
+	_plate = GroundPlate.new(world, Vector3.ZERO, GroundPlate.WIDE)
 
 
 ## Notes the state after a step; for [method ContactWorld.run].
 func note() -> bool:
-	scale.read(world.delta_s)
-	# Newton's second law: what gravity and the floor do not explain comes from outside.
-	var momentum: Vector3 = _momentum()
-	var outside: Vector3 = (momentum - _momentum_before) / world.delta_s + scale.force
-	outside.y += weight()
-	_momentum_before = momentum
-	if not carried.is_empty():
-		residual.append(outside.length())
-	carried.append(-scale.force.y)
+	if _residual == null:
+		_residual = GroundResidual.new(person, _plate)
+	if _residual.note(world.delta_s):
+		forces.append(_residual.force.length())
+		torques.append(_residual.torque.length())
+	carried.append(_plate.force.y)
 	var balance: Dictionary = person.ragdoll.motor.get_balance()
 	var is_stepping: bool = balance.get("is_stepping", false)
 	steps += 1 if is_stepping and not _was_stepping else 0
@@ -71,6 +71,9 @@ func note() -> bool:
 	upper.append(above / UPPER)
 	var off: Vector3 = person.joint(0, bodies) - person.joint(0, wanted)
 	distances.append(Vector2(off.x, off.z).length())
+	var hips: Vector3 = person.joint(0, wanted) * Vector3(1.0, 0.0, 1.0)
+	_way += hips.distance_to(_hips_before) if not heights.is_empty() else 0.0
+	_hips_before = hips
 	heights.append(person.joint(0, bodies).y)
 	wanted_heights.append(person.joint(0, wanted).y)
 	return false
@@ -84,11 +87,9 @@ func weight() -> float:
 	return mass * 9.81
 
 
-func _momentum() -> Vector3:
-	var sum: Vector3 = Vector3.ZERO
-	for limb: int in person.count:
-		sum += person.velocity_of(limb) * person.mass_of(limb)
-	return sum
+## How fast the wearer walks on average, m/s.
+func speed() -> float:
+	return _way / maxf(world.time_s, world.delta_s)
 
 
 func end() -> void:
