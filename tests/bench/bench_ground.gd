@@ -230,10 +230,10 @@ func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> voi
 	report.at_least(p_case, "weight on the ground", share, "%", p_share)
 	var force: float = 100.0 * GroundRun.percentile(p_run.forces, 0.95) / weight
 	report.at_most(p_case, "force from outside p95", force, "% of weight", 6.0)
-	var torque: float = GroundRun.percentile(p_run.torques, 0.95)
-	report.add(
-		p_case, "torque from outside, median", GroundRun.percentile(p_run.torques, 0.5), "N m"
-	)
+	var torques: PackedFloat64Array = p_run.torques.slice(p_from)
+	var middle: float = GroundRun.percentile(torques, 0.5)
+	report.add(p_case, "torque from outside, median", middle, "N m")
+	var torque: float = GroundRun.percentile(torques, 0.95)
 	report.at_most(p_case, "torque from outside p95", torque, "N m", _torque_goal(p_run.speed()))
 	report.at_most(p_case, "error", GroundRun.mean(p_run.errors), "deg", 2.0)
 	report.at_most(p_case, "error above the legs", GroundRun.mean(p_run.upper), "deg", 1.2)

@@ -107,6 +107,7 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 		lowest = std::min(lowest, limb.y);
 	}
 	_speed = velocity.length();
+	_lean = angle_between(state.orientations[0], p_now.orientations[0]);
 	_height = centre.y - lowest;
 	float wanted_lowest = wanted.y;
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
@@ -272,6 +273,8 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	_eagerness = 1.0f + (settings.standing_eagerness - 1.0f) * stood;
 	_calm_s = is_stepping() || _stood_s == 0.0f ? 0.0f : _calm_s + p_input.delta_s;
 	_ease = std::clamp((_calm_s - SETTLE_FROM_S) / SETTLE_S, 0.0f, 1.0f);
+	const float quiet = settings.quiet_torque + settings.quiet_stiffness * _lean;
+	_torque = std::min(_torque, quiet + (1.0f - _ease) * settings.torque);
 	find_deceleration(p_rig);
 }
 

@@ -24,6 +24,12 @@ struct BalanceSettings {
 	/// runners fall), and of somebody who has stood for some time and is to give way (230 to 270).
 	float torque = 800.0f;
 	float standing_torque = 240.0f;
+	/// And of somebody who stands at ease: so much (N m), and so much more as the hips lean from where the motion has
+	/// them, N m/rad. Two joints that hold the same hips, legs and world, pull against each other, with 27 N m as
+	/// stiff as they are; so legs carry and 7 N m are left. With 12,000 who is hit by a ball comes back after 0.8
+	/// instead of 0.6 s.
+	float quiet_torque = 4.0f;
+	float quiet_stiffness = 30000.0f;
 	/// Greatest torque from outside of somebody who is knocked (see Knock), N m: he is left to his feet.
 	float knocked_torque = 80.0f;
 	/// What the torque of legs and trunk is multiplied by while the feet move: they have to swing limbs
@@ -207,6 +213,7 @@ private:
 	Vec3 _error; // Of the centre of mass, horizontal, m.
 	Vec3 _velocity_error; // m/s
 	Vec3 _capture; // m
+	float _lean = 0.0f; // Of the hips, from where the motion has them, rad.
 	Vec3 _force; // N
 	float _force_limit = 0.0f; // N
 	float _torque = 0.0f; // N m
