@@ -221,7 +221,7 @@ func _clip(p_file: String) -> void:
 
 ## Greatest torque from outside, p95, of somebody who stands, walks or runs at a speed, N·m.
 func _torque_goal(p_speed: float) -> float:
-	return _TORQUES[2 if p_speed >= 2.4 else (1 if p_speed >= 0.3 else 0)]
+	return _TORQUES[2 if p_speed >= GroundGaits.RUN else (1 if p_speed >= 0.3 else 0)]
 
 
 func _tell(p_case: String, p_run: GroundRun, p_from: int, p_share: float) -> void:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "body/placement.hpp"
 #include "driver.hpp"
+#include "state_of.hpp"
 
 #include <random>
 #include <vector>
@@ -36,15 +36,6 @@ inline ragdoll::Pose random_pose(std::mt19937 &p_random) {
 		pose.orientations.push_back(ragdoll::exp({ normal(p_random), normal(p_random), normal(p_random) }));
 	}
 	return pose;
-}
-
-/// The state of bodies at rest in a pose.
-inline ragdoll::RigState state_of(const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose) {
-	ragdoll::RigState state;
-	state.resize(p_rig.size());
-	std::vector<ragdoll::Vec3> joints;
-	ragdoll::place_at_rest(p_rig, p_pose, joints, state);
-	return state;
 }
 
 /// What ideal joints would do with the motors' velocities in one step.

@@ -2,14 +2,16 @@
 #pragma once
 
 #include "body/leg.hpp"
-#include "body/placement.hpp"
 #include "body/rig.hpp"
+#include "state_of.hpp"
 
 #include <vector>
 
 /// A body with all limbs, for tests of what bends them. It stands upright along Y, looks along Z, its left side is
 /// towards X, and its arms are held out.
 namespace person {
+
+using fixtures::state_of;
 
 enum Limb : int {
 	HIPS,
@@ -66,15 +68,6 @@ inline std::vector<ragdoll::ContactPoint> soles() {
 		result.push_back({ foot, { 0.0f, -0.09f, 0.15f }, 0.01f, true });
 	}
 	return result;
-}
-
-/// The state of a body at rest in a pose, all of whose limbs are turned alike first.
-inline ragdoll::RigState state_of(const ragdoll::Rig &p_rig, const ragdoll::Pose &p_pose) {
-	ragdoll::RigState state;
-	state.resize(p_rig.size());
-	std::vector<ragdoll::Vec3> joints;
-	ragdoll::place_at_rest(p_rig, p_pose, joints, state);
-	return state;
 }
 
 /// Stretched out, turned from standing.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "balance/balance.hpp"
+#include "state_of.hpp"
 
 #include "check.hpp"
 
@@ -10,6 +11,7 @@ namespace test_balance {
 
 namespace {
 
+using fixtures::state_of;
 using ragdoll::Balance;
 using ragdoll::BalanceInput;
 using ragdoll::BalanceSettings;
@@ -62,20 +64,6 @@ Pose leaning(float p_angle) {
 	Pose pose = standing();
 	pose.orientations[0] = ragdoll::exp({ p_angle, 0.0f, 0.0f });
 	return pose;
-}
-
-RigState state_of(const Rig &p_rig, const Pose &p_pose, const Vec3 &p_velocity = {}) {
-	RigState state;
-	state.resize(p_rig.size());
-	std::vector<Vec3> joints;
-	p_rig.joint_positions(p_pose, joints);
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		state.orientations[i] = p_pose.orientations[i];
-		state.centres[i] = joints[i] + p_pose.orientations[i].rotate(p_rig[i].centre);
-		state.linear[i] = p_velocity;
-	}
-	state.root = p_pose.root;
-	return state;
 }
 
 /// Level ground, and something loose under the left foot.

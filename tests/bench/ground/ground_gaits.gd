@@ -11,6 +11,8 @@ extends RefCounted
 ## Names of the grounds. Numbers are slopes, deg, up for positive ones.
 const KINDS: Array[String] = ["0", "5", "-5", "10", "-10", "20", "-20", "kerb", "up", "down"]
 const CRATES: String = "crates"
+## Who is faster runs, m/s.
+const RUN: float = 2.4
 const _MOMENTS: int = 8
 ## Time from one moment to the next, and what is played at most and at least, s.
 const _APART_S: float = 0.15
@@ -21,10 +23,9 @@ const _END_S: float = 0.6
 ## The wearer walks so far at least, m.
 const _LEAST_WAY: float = 1.5
 const _GOAL: float = 95.0
-## Through crates, %: of who walks, walks fast and runs; and from which speeds on they do, m/s.
+## Through crates, %: of who walks, walks fast (from this speed on, m/s) and runs.
 const _CRATES_GOALS: Array[float] = [60.0, 50.0, 40.0]
 const _FAST: float = 1.6
-const _RUN: float = 2.4
 const _CRATES: int = 200
 ## Kerbs and stairs begin so far ahead, m.
 const _BEGIN: float = 0.6
@@ -78,7 +79,7 @@ func _goal(p_performer: ContactPerformer, p_kind: String) -> float:
 		return _GOAL
 	var seconds: float = minf(_LONGEST_S, p_performer.duration() - _END_S)
 	var speed: float = _way(p_performer, 0.0, seconds).length() / maxf(seconds, 0.1)
-	return _CRATES_GOALS[2 if speed >= _RUN else (1 if speed >= _FAST else 0)]
+	return _CRATES_GOALS[2 if speed >= RUN else (1 if speed >= _FAST else 0)]
 
 
 ## How far the body comes, in % of the wearer's way; 0 for who falls, but among crates; and how much

@@ -57,18 +57,22 @@ void Balance::clear() {
 		foot.limbs = limbs;
 		foot.ball = ball;
 	}
+	rest();
 	_recovery.clear();
+	_offset = {};
+	_knock.clear();
+	_begun = false;
+}
+
+void Balance::rest() {
+	_sag = 0.0f;
 	_force = {};
 	_capture = {};
 	_bearing = 1.0f;
 	_eagerness = 1.0f;
 	_ease = 0.0f;
 	_calm_s = 0.0f;
-	_offset = {};
-	_sag = 0.0f;
 	_stood_s = 0.0f;
-	_knock.clear();
-	_begun = false;
 }
 
 bool Balance::is_stepping() const {
@@ -222,7 +226,7 @@ void Balance::move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_
 		const Vec3 off = level(wanted - r_foot.offset).limited(settings.foot_speed * delta);
 		r_foot.offset = r_foot.offset + off;
 	}
-	follow_ground(p_input, p_now, r_foot);
+	follow_ground(p_input, p_now, level(velocity), r_foot);
 	r_foot.offset = r_foot.offset.limited(settings.longest_step);
 }
 
@@ -231,19 +235,18 @@ Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) con
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
-void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot) {
+void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot) {
 	if (p_input.ground == nullptr) {
 		return;
 	}
 	const std::size_t limb = std::size_t(r_foot.limbs.foot);
-	const Vec3 velocity = level(find_velocity(p_input, limb));
 	const Vec3 ball = p_now.orientations[limb].rotate(r_foot.ball);
 	FootPlace place;
-	place.ankle = _joints_now[limb] + _offset + r_foot.offset + velocity * AHEAD_S;
+	place.ankle = _joints_now[limb] + _offset + r_foot.offset + p_velocity * AHEAD_S;
 	// Wherever the motion is: the ground is under the body.
 	place.ankle.y = std::clamp(place.ankle.y, r_foot.shown.y - Ground::STEP, r_foot.shown.y + Ground::STEP);
 	place.ball = level(ball);
-	place.further = velocity * FURTHER_S;
+	place.further = p_velocity * FURTHER_S;
 	place.sole = sole_height(p_now, r_foot);
 	place.toes = _joints_now[limb].y + ball.y;
 	place.body = _offset.y;
@@ -295,17 +298,10 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 		foot.lift = 0.0f;
 		foot.is_new = false;
 	}
-	_sag = 0.0f;
-	_force = {};
-	_bearing = 1.0f;
-	_eagerness = 1.0f;
-	_ease = 0.0f;
-	_calm_s = 0.0f;
+	rest();
 	_torque = 0.0f; // What helps is no hold, see Recovery::get_help().
 	find_deceleration(p_rig);
 	_knock.rest(_velocity, _velocity_error);
-	_capture = {};
-	_stood_s = 0.0f;
 }
 
 void Balance::bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints) {
