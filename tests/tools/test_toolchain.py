@@ -125,6 +125,13 @@ ERROR: Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMedi
 """
     assert len(gdscript_tests.find_leaks(output)) == 3
     assert gdscript_tests.find_leaks("ok   test_what_is_left_at_exit\n7 passed, 0 failed") == []
+    named = gdscript_tests.find_leaks(output + "Leaked instance: Mutex:12 - Reference count: 1\n")
+    assert "Mutex:12" in named[0]
+    # What the engine itself does not untangle.
+    script = "Resource still in use: res://scripts/core/log.gd (GDScript)\n"
+    assert gdscript_tests.find_leaks(output + script) == [
+        "Pages in use exist at exit in PagedAllocator: N7Variant5Pools12BucketMediumE"
+    ]
 
 
 def test_what_a_runner_prints_is_read() -> None:
