@@ -86,6 +86,7 @@ bool DrivenRagdoll::drive(double p_time_s, float p_delta_s, std::uint32_t &r_gua
 	if ((_driver.ground != nullptr) != _owner->is_inside_tree()) {
 		look_at_ground(); // The owner has come into the tree, or left it, since.
 	}
+	_driver.note_hold(_bodies.weigh_hold(_state.root, p_delta_s));
 	const ragdoll::StepCommands &commands = _driver.step(_state, p_time_s, p_delta_s);
 	if (commands.must_put) {
 		_bodies.put(_state);

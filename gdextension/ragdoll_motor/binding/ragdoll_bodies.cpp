@@ -32,10 +32,7 @@ void RagdollBodies::free_all() {
 		}
 	}
 	_joints.clear();
-	if (_anchor.is_valid()) {
-		server()->free_rid(_anchor);
-		_anchor = RID();
-	}
+	_anchor.free();
 }
 
 Transform3D RagdollBodies::frame_in_body(std::size_t p_limb) const {
@@ -64,11 +61,8 @@ void RagdollBodies::make(const ragdoll::Rig &p_rig, std::vector<JointSpec> p_spe
 		_joints[i] = LimbJoint(make_joint(_specs[limb.parent].body, frame, i), _specs[i].axes, relative);
 		server()->joint_disable_collisions_between_bodies(_joints[i].get_rid(), true);
 	}
-	// A joint to the world needs a body there: a static one without a shape.
-	_anchor = server()->body_create();
-	server()->body_set_mode(_anchor, Joint::BODY_MODE_STATIC);
-	server()->body_set_space(_anchor, _space);
-	const RID hold = make_motor_joint(_anchor, Transform3D(), _specs[0].body, frame_in_body(0));
+	_anchor.make(_space);
+	const RID hold = make_motor_joint(_anchor.get_rid(), Transform3D(), _specs[0].body, frame_in_body(0));
 	_joints[0] = LimbJoint(hold, _specs[0].axes, ragdoll::Quat());
 }
 
@@ -279,7 +273,7 @@ std::unique_ptr<RootAssist> RagdollBodies::make_assist(ragdoll::RootMode p_mode)
 	state.resize(_specs.size());
 	RootAssist::Parts parts;
 	parts.space = _space;
-	parts.anchor = _anchor;
+	parts.anchor = _anchor.get_rid();
 	parts.root = find_handle(0);
 	if (_righted_limb > 0) {
 		parts.trunk = find_handle(std::size_t(_righted_limb));

@@ -4,6 +4,7 @@
 #include "comparison/root_assist.hpp"
 #include "joint_motors.hpp"
 #include "limb_joint.hpp"
+#include "world_anchor.hpp"
 
 #include <control/world_drive.hpp>
 #include <joint/controller.hpp>
@@ -23,7 +24,7 @@ namespace godot {
 /// The bodies of a ragdoll in the physics engine, and the joints that this class makes for them.
 ///
 /// One 6DOF joint a limb, parent = A, limb = B; made from the leaves to the root, the joint to the
-/// world last, because the order of making is the order of solving. The joints and the static anchor go
+/// world last, because the order of making is the order of solving. The joints and the anchor go
 /// with this object; the bodies belong to somebody else.
 class RagdollBodies {
 public:
@@ -67,6 +68,11 @@ public:
 		set_pose(0, p_orientation, p_joint);
 	}
 	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn);
+	/// What the joint to the world did to the root in the last step of p_delta_s seconds, about the root's joint at
+	/// p_at, m.
+	ragdoll::Residual weigh_hold(const ragdoll::Vec3 &p_at, float p_delta_s) const {
+		return _anchor.weigh(p_at, p_delta_s);
+	}
 	/// The joint that holds a limb.
 	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb].get_rid(); }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.
@@ -102,7 +108,7 @@ private:
 	RID _space;
 	bool _has_stepped = false; // The space, since the joints were made.
 	uint64_t _first_frame = 0; // At whose end the space steps for the first time.
-	RID _anchor;
+	WorldAnchor _anchor;
 	std::unique_ptr<RootAssist> _assist; // Null unless the root is free.
 	int _righted_limb = -1;
 };

@@ -181,7 +181,7 @@ void RagdollMotor::measure(double p_time_s) {
 
 void RagdollMotor::clear_tracking() {
 	if (_ragdoll) {
-		_ragdoll->get_driver().get_meter().clear();
+		_ragdoll->get_driver().clear_measures();
 	}
 }
 

@@ -42,6 +42,8 @@ Dictionary RagdollReport::get_balance() const {
 		balance["phase"] = int64_t(source.get_recovery().get_phase());
 		balance["force_n"] = source.get_force().length();
 		balance["force_limit_n"] = source.get_force_limit();
+		balance["torque_nm"] = _driver->get_residual().get_latest().torque.length();
+		balance["torque_p95_nm"] = _driver->get_residual().find_torque(0.95);
 		balance["torque_limit_nm"] = std::max(source.get_torque(), source.get_recovery().get_most_help());
 		balance["offset_m"] = from_core(source.get_offset());
 		balance["capture_error_m"] = from_core(source.get_capture_error());

@@ -113,7 +113,7 @@ const StepCommands &Driver::step(RigState &r_state, double p_time_s, float p_del
 	_pushes.advance(_rig, r_state, _now, _next, p_delta_s, _commands.limbs, _commands.pushes);
 	if (measures_torque) {
 		_torques.note(_rig, r_state, p_delta_s);
-		_torques.compare(_rig, _table, root_settings.torque);
+		_torques.compare(_rig, _table, _residual.get_latest().torque.length(), root_settings.torque);
 	}
 	command_root(r_state, p_delta_s);
 	place_kinematic(r_state, p_delta_s);
@@ -270,6 +270,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 	_commands.root.force_across *= flinch;
 	_commands.root.torque *= flinch;
 	_commands.root.assist_torque *= flinch;
+	_residual.expect({ _commands.root.push, _commands.pushes[0].torque });
 }
 
 void Driver::place_kinematic(const RigState &p_state, float p_delta_s) {

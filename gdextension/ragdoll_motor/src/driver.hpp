@@ -15,6 +15,7 @@
 #include "root/getting_up.hpp"
 #include "root/held_root.hpp"
 #include "root/landing.hpp"
+#include "root/residual_meter.hpp"
 #include "root/root_drive.hpp"
 #include "root/surface_guard.hpp"
 #include "root/tether.hpp"
@@ -77,6 +78,8 @@ public:
 	TrackingMeter &get_meter() { return _meter; }
 	const TrackingMeter &get_meter() const { return _meter; }
 	const TorqueMeter &get_torques() const { return _torques; }
+	/// What came from outside on the hips.
+	const ResidualMeter &get_residual() const { return _residual; }
 
 	RootSettings root_settings;
 	RootMode root_mode = RootMode::SOFT;
@@ -98,6 +101,13 @@ public:
 	const Vec3 &get_frame_origin() const { return _frame.get_origin(); }
 	/// Forgets all samples. The next motion may have another clock; the body is put into its pose.
 	void clear_motion();
+	/// Notes what the joint to the world gave in the last step.
+	void note_hold(const Residual &p_hold) { _residual.note(p_hold); }
+	/// Forgets what has been measured.
+	void clear_measures() {
+		_meter.clear();
+		_residual.clear();
+	}
 	/// The commands for the next step. The stream must not be empty.
 	/// @param p_time_s moment of the motion at which the step begins, s
 	const StepCommands &step(RigState &r_state, double p_time_s, float p_delta_s);
@@ -187,6 +197,7 @@ private:
 	SurfaceGuard _surfaces;
 	TrackingMeter _meter;
 	TorqueMeter _torques;
+	ResidualMeter _residual;
 	FlatGround _level_ground;
 	StepCommands _commands;
 	Pose _now; // The motion at the beginning of the step ...

@@ -154,11 +154,13 @@ TEST(sinks_its_torque_when_the_feet_rest) {
 	Stand stand;
 	const RigState state = state_of(stand.rig, standing());
 	stand.step(state);
+	CHECK_NEAR(stand.balance.get_torque(), stand.balance.settings.hold_torque, 1e-3);
+	stand.step(state_of(stand.rig, leaning(0.5f)));
 	CHECK_NEAR(stand.balance.get_torque(), stand.balance.settings.torque, 1e-3);
 	for (int i = 0; i < 60; i++) {
 		stand.step(state);
 	}
-	// As the hips lean, up to what holds somebody who stands.
+	// At ease as the hips lean, up to what holds somebody who stands.
 	const BalanceSettings &settings = stand.balance.settings;
 	for (const float lean : { 0.0f, 0.003f, 0.2f }) {
 		stand.step(state_of(stand.rig, leaning(lean)));
@@ -171,10 +173,10 @@ TEST(leaves_who_is_knocked_to_the_feet_for_a_moment) {
 	for (const float speed : { 0.6f, 2.0f }) { // A ball's blow, and a shove of 160 N s.
 		Stand stand;
 		for (int i = 0; i < 10; i++) {
-			stand.step(state_of(stand.rig, standing()));
+			stand.step(state_of(stand.rig, leaning(0.05f)));
 		}
 		const float usual = stand.balance.get_torque();
-		stand.step(state_of(stand.rig, standing(), { speed, 0.0f, 0.0f }));
+		stand.step(state_of(stand.rig, leaning(0.05f), { speed, 0.0f, 0.0f }));
 		const float knocked = stand.balance.settings.knocked_torque;
 		CHECK(speed < 1.0f ? stand.balance.get_torque() > 2.0f * knocked : stand.balance.get_torque() <= knocked);
 		CHECK(usual > 2.0f * knocked);
@@ -188,7 +190,7 @@ TEST(leaves_who_is_knocked_to_the_feet_for_a_moment) {
 TEST(who_speeds_up_slowly_is_not_knocked) {
 	Stand stand;
 	for (int i = 0; i < 120; i++) {
-		stand.step(state_of(stand.rig, standing(), { 0.03f * float(i), 0.0f, 0.0f }));
+		stand.step(state_of(stand.rig, leaning(0.05f), { 0.03f * float(i), 0.0f, 0.0f }));
 		CHECK(stand.balance.get_torque() > stand.balance.settings.knocked_torque);
 	}
 }

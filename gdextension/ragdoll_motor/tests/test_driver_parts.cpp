@@ -133,10 +133,26 @@ TEST(joints_say_what_part_of_their_torque_they_needed) {
 	RigState state = fixtures::state_of(rig, standing());
 	state.gravity = { 9.81f, 0.0f, 0.0f }; // Limbs lie, as it were.
 	meter.note(rig, state, DELTA);
-	meter.compare(rig, table, 800.0f);
+	meter.compare(rig, table, 40.0f, 800.0f);
 	CHECK(meter.get_torques()[3] > 1.0f);
 	CHECK_NEAR(meter.get_saturations()[3], double(meter.get_torques()[3] / 500.0f), 1e-6);
-	CHECK_NEAR(meter.get_saturations()[0], double(meter.get_torques()[0] / 800.0f), 1e-6);
+	CHECK_NEAR(meter.get_saturations()[0], 0.05, 1e-6);
+}
+
+TEST(the_residual_is_counted_with_what_the_motor_pushes_itself) {
+	ResidualMeter meter;
+	CHECK_NEAR(meter.find_torque(0.95), 0.0, 1e-6);
+	for (int i = 0; i < 100; i++) {
+		meter.expect({ { 30.0f, 0.0f, 0.0f }, {} });
+		meter.note({ { 0.0f, 0.0f, 40.0f }, { 0.0f, i < 94 ? 12.0f : 5000.0f, 0.0f } });
+	}
+	CHECK_NEAR(meter.get_latest().force.length(), 50.0, 1e-4);
+	CHECK_NEAR(meter.get_latest().torque.y, 5000.0, 1e-2);
+	CHECK_NEAR(meter.find_force(0.5), 60.0, 1e-4); // Of 50 to 60.
+	CHECK_NEAR(meter.find_torque(0.94), 20.0, 1e-4);
+	CHECK(meter.find_torque(0.95) > 2000.0f); // Whatever is beyond the last bin is there.
+	meter.clear();
+	CHECK_NEAR(meter.find_force(0.5), 0.0, 1e-6);
 }
 
 } // namespace test_driver_parts

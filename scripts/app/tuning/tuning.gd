@@ -131,11 +131,13 @@ static func _describe_balance(p_balance: Dictionary) -> String:
 		return ""
 	var offset: Vector3 = p_balance["offset_m"]
 	return (
-		"    %s: force %.0f of %.0f N, torque up to %.0f N m, tether %.2f m"
+		"    %s: force %.0f of %.0f N, torque %.0f N m (p95 %.0f, an axis up to %.0f), tether %.2f m"
 		% [
 			"steps" if p_balance["is_stepping"] else _PHASES[p_balance["phase"]],
 			p_balance["force_n"],
 			p_balance["force_limit_n"],
+			p_balance["torque_nm"],
+			p_balance["torque_p95_nm"],
 			p_balance["torque_limit_nm"],
 			Vector2(offset.x, offset.z).length(),
 		]

@@ -109,7 +109,8 @@ func mark(p_encoder: SnapshotEncoder, p_now_usec: int) -> void:
 
 
 ## How well the body follows, how late, and its distance from its motion, m, for a report; of
-## grounded people also the horizontal residual force, N.
+## grounded people also the horizontal residual force, N, and the residual torque of the last step
+## and its 95th percentile, N m.
 func stats() -> Dictionary:
 	var made: Dictionary = ragdoll.motor.get_tracking()
 	made["name"] = name
@@ -122,6 +123,8 @@ func stats() -> Dictionary:
 	if not balance.is_empty():
 		made["residual_n"] = balance["force_n"]
 		made["residual_limit_n"] = balance["force_limit_n"]
+		made["residual_nm"] = balance["torque_nm"]
+		made["residual_p95_nm"] = balance["torque_p95_nm"]
 	return made
 
 

@@ -188,6 +188,7 @@ func test_balance_is_told_of_grounded_people_only() -> void:
 	var balance: Dictionary = player.ragdoll.motor.get_balance()
 	is_true(balance.force_n <= balance.force_limit_n + 0.01, "%s" % balance)
 	almost_equal(balance.force_limit_n, 0.06 * 80.0 * 9.8, 1.0)
+	is_true(balance.torque_nm > 0.1 and balance.torque_nm < 1386.0, "%s" % balance)
 	player.ragdoll.motor.root_mode = RagdollMotor.ROOT_SOFT
 	is_true(player.ragdoll.motor.get_balance().is_empty(), "another mode has a balance")
 

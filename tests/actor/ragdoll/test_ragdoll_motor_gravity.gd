@@ -2,6 +2,7 @@ extends "stage_case.gd"
 ## Gravity is that of the areas that a person is in.
 
 const PLACE: Vector3 = Vector3(0.0, 3.0, 0.0)
+const CHEST: int = 2
 const LEFT_UPPER_ARM: int = 4
 
 
@@ -21,6 +22,28 @@ func test_a_body_that_is_new_has_the_gravity_of_its_space() -> void:
 	await _stage.run(1)
 	var torque: float = player.ragdoll.motor.get_limb_torques()[player.index(LEFT_UPPER_ARM)]
 	is_true(torque > 5.0, "%f N m" % torque)
+
+
+func test_what_holds_the_hips_is_measured() -> void:
+	# A force at the chest and a torque, in the middle of nowhere without weight.
+	_add_area(0.0)
+	var player: Stage.Player = _stage.make_soldier(PLACE, RagdollMotor.ROOT_SOFT)
+	_stage.enter(player)
+	player.ragdoll.motor.measures_torque = true
+	var chest: RID = player.ragdoll.get_bodies()[player.index(CHEST)]
+	var force: Vector3 = Vector3(0.0, 0.0, 60.0)
+	var torque: Vector3 = Vector3(4.0, 10.0, -6.0)
+	await _stage.run(
+		120,
+		func(_time: float) -> void:
+			PhysicsServer3D.body_apply_central_force(chest, force)
+			PhysicsServer3D.body_apply_torque(chest, torque)
+	)
+	var at: Transform3D = PhysicsServer3D.body_get_state(
+		chest, PhysicsServer3D.BODY_STATE_TRANSFORM
+	)
+	var wanted: Vector3 = torque + (at.origin - player.joint(0)).cross(force)
+	almost_equal(player.ragdoll.motor.get_limb_torques()[player.index(0)], wanted.length(), 0.3)
 
 
 ## What the torque meter has of a shoulder whose arm is held out level, N m.

@@ -133,6 +133,7 @@ func test_stats_of_grounded_people_tell_force_and_tether() -> void:
 	await _step(7, Stage.reset_pose(), Vector3.UP)
 	var row: Dictionary = _actors.stats()[0]
 	is_true(row["residual_n"] <= row["residual_limit_n"] + 0.01, "%s" % row)
+	is_true(row["residual_nm"] >= 0.0 and row["residual_p95_nm"] > 0.0, "%s" % row)
 	is_true(row["tether_m"] >= 0.0 and row["tether_m"] < 1.0, "%s" % row)
 
 

@@ -112,6 +112,8 @@ void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Po
 	}
 	_speed = velocity.length();
 	_lean = angle_between(state.orientations[0], p_now.orientations[0]);
+	const Vec3 turning = log(p_next.orientations[0] * p_now.orientations[0].inverse()) * (1.0f / p_input.delta_s);
+	_spin = (turning - state.angular[0]).length();
 	_height = centre.y - lowest;
 	float wanted_lowest = wanted.y;
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
@@ -279,6 +281,8 @@ void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
 	const float quiet = settings.quiet_torque + settings.quiet_stiffness * _lean;
 	_torque = std::min(_torque, quiet + (1.0f - _ease) * settings.torque);
 	find_deceleration(p_rig);
+	const float hold = settings.hold_torque + settings.hold_stiffness * _lean + settings.hold_damping * _spin;
+	_torque = std::min(_torque, hold + stood * settings.torque);
 }
 
 void Balance::find_deceleration(const Rig &p_rig) {

@@ -43,9 +43,10 @@ void TorqueMeter::note(const Rig &p_rig, const RigState &p_state, float p_delta_
 	_is_known = true;
 }
 
-void TorqueMeter::compare(const Rig &p_rig, const ActuationTable &p_table, float p_root_torque) {
+void TorqueMeter::compare(const Rig &p_rig, const ActuationTable &p_table, float p_root_torque, float p_root_most) {
+	_torques[0] = p_root_torque;
 	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		const float most = i == 0 ? p_root_torque : p_rig[i].max_torque * p_table.get_strength(i);
+		const float most = i == 0 ? p_root_most : p_rig[i].max_torque * p_table.get_strength(i);
 		_saturations[i] = most > 0.0f ? _torques[i] / most : 0.0f;
 	}
 }
