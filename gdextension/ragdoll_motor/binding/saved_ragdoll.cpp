@@ -7,7 +7,7 @@ namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x39534D52; // "RMS9"
+constexpr std::uint32_t STATE_MAGIC = 0x41534D52; // "RMSA"
 
 } // namespace
 

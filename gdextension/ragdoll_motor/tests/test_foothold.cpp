@@ -70,6 +70,18 @@ TEST(a_foot_is_put_onto_what_lies_under_it) {
 	CHECK_NEAR(firm.hold.find_rise(firm.settings), 0.2, 1e-4);
 }
 
+TEST(what_a_foot_was_lifted_over_carries_nobody) {
+	Foot foot;
+	foot.heap.top = 0.3f;
+	foot.place.is_up = true;
+	foot.go_on(60);
+	// It slips away under the foot, which is to stand now and comes down.
+	foot.heap.top = 0.0f;
+	foot.place.is_up = false;
+	CHECK(foot.go_on(7) > 0.1f);
+	CHECK_NEAR(foot.hold.find_rise(foot.settings), 0.0, 1e-4);
+}
+
 TEST(what_is_loose_and_higher_is_kicked_aside) {
 	Foot foot;
 	foot.heap.top = foot.settings.loose_climb + 0.01f;

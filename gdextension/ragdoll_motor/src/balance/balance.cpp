@@ -65,7 +65,7 @@ void Balance::clear() {
 }
 
 void Balance::rest() {
-	_sag = 0.0f;
+	_loose.clear();
 	_force = {};
 	_capture = {};
 	_bearing = 1.0f;
@@ -256,12 +256,22 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, cons
 	r_foot.hold.advance(*p_input.ground, settings.foothold, place, p_input.delta_s);
 }
 
-void Balance::find_sag(const BalanceInput &p_input, const Pose &p_now) {
-	const bool gives_way =
+void Balance::find_loose(const BalanceInput &p_input, const Pose &p_now) {
+	const bool is_loose =
 			std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.hold.is_loose(); });
-	const float meant = p_now.root.y + _offset.y - settings.sag_slack;
-	const float low = gives_way ? std::clamp(p_input.state->root.y - meant, -settings.sag_most, 0.0f) : 0.0f;
-	_sag = std::min(low, _sag + settings.sag_back * p_input.delta_s);
+	const float lower = p_now.root.y + _offset.y - p_input.state->root.y;
+	_loose.advance(settings.loose, is_loose, lower, p_input.delta_s);
+}
+
+Vec3 Balance::find_away(const Foot &p_foot) const {
+	return p_foot.offset + Vec3{ 0.0f, p_foot.hold.get_height() - _offset.y + p_foot.lift - _loose.get_sag(), 0.0f };
+}
+
+void Balance::give_way(const Rig &p_rig, const RigState &p_state, Foot &r_foot) const {
+	const std::size_t thigh = std::size_t(r_foot.limbs.thigh);
+	const Vec3 is = r_foot.shown - p_rig.joint_of(p_state, thigh);
+	const Vec3 meant = r_foot.wanted - _joints_now[thigh] + find_away(r_foot);
+	r_foot.give = _loose.find_give(settings.loose, is, meant);
 }
 
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
@@ -314,7 +324,7 @@ void Balance::bend(const Rig &p_rig, Pose &r_pose, std::vector<Vec3> &r_joints) 
 		joint = joint + _offset;
 	}
 	for (const Foot &foot : _feet) {
-		const Vec3 away = foot.offset + Vec3{ 0.0f, foot.hold.get_height() - _offset.y + foot.lift - _sag, 0.0f };
+		const Vec3 away = find_away(foot) + foot.give;
 		if (away.length() > 1e-4f) {
 			bend_leg(p_rig, foot.limbs, away, r_pose, r_joints);
 		}
@@ -332,12 +342,13 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 		stay(p_rig, p_input, r_now, r_next);
 		return;
 	}
-	find_sag(p_input, r_now);
+	find_loose(p_input, r_now);
 	move_offset(p_input);
 	begin_steps();
 	_stood_s += p_input.delta_s;
 	for (Foot &foot : _feet) {
 		move_foot(p_input, r_now, foot);
+		give_way(p_rig, *p_input.state, foot);
 		_stood_s = foot.swings ? 0.0f : _stood_s;
 	}
 	_knock.advance(_velocity, _velocity_error, p_input.delta_s);
@@ -353,7 +364,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 		foot.hold.save(p_archive);
 	}
 	p_archive.put(_offset);
-	p_archive.put(_sag);
+	_loose.save(p_archive);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
 	p_archive.put(_calm_s);
@@ -367,7 +378,7 @@ bool Balance::restore(ArchiveReader &p_archive) {
 		Foot::for_each_saved(foot, [&](auto &r_value) { p_archive.get(r_value); });
 		foot.hold.restore(p_archive);
 	}
-	return p_archive.get(_offset) && p_archive.get(_sag) && p_archive.get(_force) && p_archive.get(_stood_s) &&
+	return p_archive.get(_offset) && _loose.restore(p_archive) && p_archive.get(_force) && p_archive.get(_stood_s) &&
 			p_archive.get(_calm_s) && _knock.restore(p_archive) && p_archive.get(_begun) &&
 			_recovery.restore(p_archive);
 }

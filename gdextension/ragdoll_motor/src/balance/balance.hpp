@@ -3,6 +3,7 @@
 
 #include "balance/foothold.hpp"
 #include "balance/knock.hpp"
+#include "balance/loose_ground.hpp"
 #include "balance/recovery.hpp"
 #include "base/archive.hpp"
 #include "body/leg.hpp"
@@ -73,13 +74,8 @@ struct BalanceSettings {
 	FootholdSettings foothold;
 	/// How fast the body follows its feet up and down, m/s.
 	float rise_speed = 1.0f;
-	/// Over loose things a body that is lower than its legs mean to carry it, by more than the slack and at most by so
-	/// much (m), is followed by them at once and lifted again so fast, m/s: they would throw it up. Without, 5 fewer of
-	/// 88 walks come far enough through crates. On firm ground it holds up who climbs stairs (42 instead of 90 % come
-	/// through those of the town).
-	float sag_slack = 0.05f;
-	float sag_most = 0.2f;
-	float sag_back = 0.6f;
+	/// How legs behave over loose things.
+	LooseGroundSettings loose;
 	/// Somebody who stands takes a step from this distance of the capture point on, m: somewhat more than
 	/// what the length of a foot can hold.
 	float step_from = 0.22f;
@@ -174,6 +170,7 @@ private:
 		bool swings = false;
 		float step_s = -1.0f; // Since a step of its own began; below 0 for none.
 		float lift = 0.0f; // m
+		Vec3 give; // How far it is drawn to the hip over loose things, m.
 		bool is_new = false; // It was put where the body is to go.
 
 		bool is_up() const { return swings || step_s >= 0.0f; }
@@ -202,8 +199,12 @@ private:
 	void follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot);
 	/// Nothing holds or moves it: it was put somewhere, or lies.
 	void rest();
-	/// Finds by how much the body has sunk on its legs.
-	void find_sag(const BalanceInput &p_input, const Pose &p_now);
+	/// Sees whether feet are over loose things, and how far the body has sunk on them.
+	void find_loose(const BalanceInput &p_input, const Pose &p_now);
+	/// How far a foot is put from where the motion has it, seen from the body, m.
+	Vec3 find_away(const Foot &p_foot) const;
+	/// Lets a leg over loose things push no more than it may.
+	void give_way(const Rig &p_rig, const RigState &p_state, Foot &r_foot) const;
 	void find_deceleration(const Rig &p_rig);
 	void stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, Pose &r_next);
 	void push(const Rig &p_rig, const BalanceInput &p_input);
@@ -219,7 +220,7 @@ private:
 	std::vector<Vec3> _joints_now;
 	std::vector<Vec3> _joints_next;
 	Vec3 _offset; // m
-	float _sag = 0.0f; // How much lower than meant the legs carry the body, m; 0 or below.
+	LooseGround _loose;
 	Vec3 _error; // Of the centre of mass, horizontal, m.
 	Vec3 _velocity_error; // m/s
 	Vec3 _capture; // m

@@ -25,7 +25,8 @@ void Foothold::begin(float p_height) {
 }
 
 float Foothold::find_rise(const FootholdSettings &p_settings) const {
-	return _ground.is_loose ? std::min(_height, _firm + p_settings.loose_rise) : _height;
+	// What a foot was lifted over carries nobody while it comes down.
+	return std::min(_height, _firm + (_ground.is_loose ? p_settings.loose_rise : 0.0f));
 }
 
 void Foothold::look(const Ground &p_ground, const FootholdSettings &p_settings, const FootPlace &p_place) {
