@@ -50,6 +50,8 @@ ragdoll::Residual WorldAnchor::weigh(const ragdoll::Vec3 &p_at, float p_delta_s)
 	const ragdoll::Vec3 about_origin = to_core(state->get_angular_velocity()) * (-INERTIA / p_delta_s);
 	state->set_linear_velocity(Vector3());
 	state->set_angular_velocity(Vector3());
+	// Bit by bit where it was: a state that is restored has to go on as the one that was saved.
+	state->set_transform(Transform3D());
 	return { force, about_origin - p_at.cross(force) };
 }
 
