@@ -4,6 +4,8 @@
 
 #include "check.hpp"
 
+#include <cmath>
+
 namespace test_anatomy {
 
 using namespace ragdoll;
@@ -67,6 +69,17 @@ TEST(limbs_are_lifted_to_their_own_side) {
 	check_near(posed.way(person::LEFT_ARM), { 1.0f, 0.0f, 0.0f });
 	check_near(posed.way(person::RIGHT_ARM), { -1.0f, 0.0f, 0.0f });
 	check_near(posed.way(person::RIGHT_THIGH), { -1.0f, 0.0f, 0.0f });
+}
+
+TEST(a_foot_points_where_its_toes_are) {
+	JointAngles angles;
+	angles.ankle = { 0.5f, -0.5f };
+	const Posed posed{ angles };
+	const auto toes = [&](int p_foot) {
+		return posed.anatomy.get_toes(std::size_t(p_foot), posed.pose.orientations[std::size_t(p_foot)]);
+	};
+	CHECK_NEAR(toes(person::LEFT_FOOT).y, std::sin(0.5f), 1e-3f);
+	CHECK_NEAR(toes(person::RIGHT_FOOT).y, -std::sin(0.5f), 1e-3f);
 }
 
 TEST(the_mirrored_pose_is_that_of_the_other_side) {

@@ -338,7 +338,8 @@ TEST(falls_lies_and_gets_up) {
 	const std::vector<Recovery::Phase> expected = { Recovery::Phase::FALLING, Recovery::Phase::TUCKING,
 		Recovery::Phase::ROLLING, Recovery::Phase::RISING, Recovery::Phase::NONE };
 	CHECK(phases == expected);
-	// His fall is no knock any more.
+	// His fall is no knock any more, and he is held as who stands, not as who walks.
+	CHECK(stand.balance.get_torque() <= stand.balance.settings.standing_torque);
 	CHECK(stand.balance.get_torque() > stand.balance.settings.knocked_torque);
 }
 

@@ -4,6 +4,7 @@
 
 #include "check.hpp"
 
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -96,6 +97,30 @@ TEST(the_end_is_the_motions_pose) {
 		return p_pose.orientations[person::SPINE].inverse() * p_pose.orientations[person::LEFT_ARM];
 	};
 	CHECK(angle_between(joint(lying.shown), joint(lying.motion)) < 0.05f);
+}
+
+TEST(who_straightens_up_has_the_weight_over_the_feet) {
+	Lying lying(FACE_DOWN);
+	lying.motion = person::turned(Quat());
+	int steps = 0;
+	for (int i = 0; i < 400 && !lying.rise.is_done(); i++) {
+		lying.step(true);
+		if (lying.rise.get_stage().part != RisePart::RISING || lying.rise.is_done()) {
+			continue;
+		}
+		std::vector<Vec3> joints(lying.rig.size());
+		lying.rig.joint_positions(lying.shown, joints);
+		Vec3 feet;
+		for (const int foot : { person::LEFT_FOOT, person::RIGHT_FOOT }) {
+			const Vec3 centre = lying.shown.orientations[std::size_t(foot)].rotate(lying.rig[std::size_t(foot)].centre);
+			feet = feet + (joints[std::size_t(foot)] + centre) * 0.5f;
+		}
+		steps++;
+		if (steps > 20) { // By then what the body brought along is gone for the most part.
+			CHECK(std::fabs((lying.rig.centre_of_mass(lying.shown, joints) - feet).z) < 0.15f);
+		}
+	}
+	CHECK(steps > 20);
 }
 
 TEST(the_help_is_limited_as_a_vector) {

@@ -9,6 +9,8 @@ const _UP: float = 0.15
 ## them, m.
 const _LEGS_UP: float = 0.25
 const _HEAD_DOWN: float = 0.1
+## How long [member whole_impulse] is counted, s: until everybody is to stand.
+const _WHOLE_S: float = 4.0
 ## A limb that is closer to the floor than this touches it, m.
 const _TOUCHES: float = 0.015
 
@@ -19,6 +21,9 @@ var up_s: float = INF
 ## Torque from outside while getting up, N·m, and the sum of it times the time, N·m·s.
 var torques: PackedFloat64Array = []
 var impulse: float = 0.0
+## The same of the first seconds, whether it still gets up or stands already, N·m·s: who is only up
+## as he is held up has not got up.
+var whole_impulse: float = 0.0
 ## The greatest part of the weight on the hands for a tenth of a second, %.
 var hands: float = 0.0
 ## How long the legs were in the air, the head down, s.
@@ -60,6 +65,8 @@ func rise() -> void:
 func note(p_time_s: float, p_delta_s: float) -> void:
 	var is_known: bool = _residual.note(p_delta_s)
 	var phase: int = person.ragdoll.motor.get_balance()["phase"]
+	if is_known and p_time_s < _WHOLE_S:
+		whole_impulse += _residual.torque.length() * p_delta_s
 	var bodies: Array[Transform3D] = person.bodies()
 	if phase >= RagdollMotor.BALANCE_TUCKING and is_known:
 		torques.append(_residual.torque.length())

@@ -71,6 +71,7 @@ func tell(p_load: float) -> void:
 	who += ", %.0f kg on them" % p_load if p_load > 0.0 else ""
 	var times: PackedFloat64Array = []
 	var impulses: PackedFloat64Array = []
+	var wholes: PackedFloat64Array = []
 	var torques: PackedFloat64Array = []
 	var hands: PackedFloat64Array = []
 	var ups: int = 0
@@ -80,6 +81,7 @@ func tell(p_load: float) -> void:
 		times.append(riser.up_s)
 		ups += 1 if riser.up_s < _WATCH_S else 0
 		impulses.append(riser.impulse)
+		wholes.append(riser.whole_impulse)
 		torques.append(GroundRun.percentile(riser.torques, 0.95))
 		hands.append(riser.hands)
 		legs_up_s += riser.legs_up_s / _all.size()
@@ -88,6 +90,7 @@ func tell(p_load: float) -> void:
 	_report.at_most(who, "upright after, median", GroundRun.percentile(times, 0.5), "s", 4.0)
 	_report.at_most(who, "upright after, p90", GroundRun.percentile(times, 0.9), "s", 4.0)
 	_report.at_most(who, "impulse from outside", GroundRun.mean(impulses), "N m s", 60.0)
+	_report.add(who, "impulse within 4 s, standing too", GroundRun.mean(wholes), "N m s")
 	_report.at_most(who, "torque p95", GroundRun.mean(torques), "N m", 60.0)
 	_report.at_least(who, "weight on hands, median", GroundRun.percentile(hands, 0.5), "%", 30.0)
 	_report.at_most(who, "legs in the air, mean", legs_up_s, "s", 0.0)

@@ -54,6 +54,10 @@ public:
 	Vec3 get_view(const Quat &p_heading) const { return p_heading.rotate(_ahead); }
 	/// The heading that looks in a direction.
 	Quat find_heading(const Vec3 &p_ahead) const;
+	/// Where a foot points, world axes; horizontal where it stands on level ground.
+	Vec3 get_toes(std::size_t p_foot, const Quat &p_orientation) const {
+		return (p_orientation * _limbs[p_foot].neutral.inverse()).rotate(_ahead);
+	}
 	bool is_foot(std::size_t p_limb) const { return _limbs[p_limb].part == Part::FOOT; }
 
 private:

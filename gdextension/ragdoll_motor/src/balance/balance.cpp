@@ -237,6 +237,12 @@ Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) con
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
+bool Balance::has_swinging(const BalanceInput &p_input) const {
+	return std::any_of(_feet.begin(), _feet.end(), [&](const Foot &p_foot) {
+		return find_velocity(p_input, std::size_t(p_foot.limbs.foot)).length() > settings.swing_speed;
+	});
+}
+
 void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot) {
 	if (p_input.ground == nullptr) {
 		return;
@@ -312,7 +318,11 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 		foot.lift = 0.0f;
 		foot.is_new = false;
 	}
+	const float stood = has_swinging(p_input) ? 0.0f : _stood_s + p_input.delta_s;
 	rest();
+	// Who gets up to stand is not held as if he walked.
+	_stood_s = stood;
+	_calm_s = stood;
 	_torque = 0.0f; // What helps is no hold, see Recovery::get_help().
 	find_deceleration(p_rig);
 	_knock.rest(_velocity, _velocity_error);

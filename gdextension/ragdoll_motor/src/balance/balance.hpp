@@ -195,6 +195,8 @@ private:
 	void move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot);
 	/// How fast the motion moves a limb's joint, what carries the person aside, m/s.
 	Vec3 find_velocity(const BalanceInput &p_input, std::size_t p_limb) const;
+	/// Whether the motion moves any foot.
+	bool has_swinging(const BalanceInput &p_input) const;
 	/// @param p_velocity of the motion's foot, level, m/s
 	void follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot);
 	/// Nothing holds or moves it: it was put somewhere, or lies.

@@ -17,6 +17,12 @@ constexpr float OVER_FEET = 0.18f; // A little more than half of a foot: who str
 constexpr float LOWEST_CENTRE = 0.3f; // Of the centre of mass over the feet, m.
 constexpr float MIN_PULL = 0.1f; // m/s^2
 constexpr float MAX_LEAN = 0.35f; // rad
+// Poses are turned about their feet by so much at most, rad; not where the centre of mass is no higher over the feet
+// than the first number, m, and all the way from the second one on: who lies is in no balance.
+constexpr float MAX_TURN_BACK = 0.6f;
+constexpr float LIES_BELOW = 0.2f;
+constexpr float STANDS_FROM = 0.35f;
+constexpr float HANDED_OVER = 0.25f; // In the last part of straightening up the pose comes to be the motion's own.
 constexpr float LEAN_S = 0.1f; // How slowly the lean changes.
 // The helping torque before its limit, N m/rad and N m s/rad: all of it from about 0.3 rad on. Not swept.
 constexpr float STIFFNESS = 400.0f;
@@ -36,7 +42,9 @@ Rise::Rise(const Rig &p_rig, const std::vector<Leg> &p_legs, const std::vector<s
 		_legs(p_legs),
 		_start(p_rig.size()),
 		_last(p_rig.size()),
-		_wanted(p_rig.size()) {
+		_wanted(p_rig.size()),
+		_joints(p_rig.size()) {
+	_flat.orientations.resize(p_rig.size());
 	get_stages(_lie); // They are made here, not in a tick.
 }
 
@@ -106,6 +114,7 @@ void Rise::find_balance(const Rig &p_rig, const RigState &p_state, float p_gravi
 	for (const Leg &leg : _legs) {
 		feet = feet + p_state.centres[std::size_t(leg.foot)] * (1.0f / float(_legs.size()));
 	}
+	_began_ahead = _time_s == 0.0f ? (centre - feet).dot(_anatomy.get_view(_heading)) : _began_ahead;
 	const float height = std::max(centre.y - feet.y, LOWEST_CENTRE);
 	_ahead_of_feet = level(centre - feet + velocity * std::sqrt(height / std::max(p_gravity, MIN_PULL)));
 	const float off = _ahead_of_feet.dot(_anatomy.get_view(_heading)) / height;
@@ -181,11 +190,46 @@ void Rise::bend(const Rig &p_rig, float p_after, Pose &r_pose) {
 		_last[i] = slerp(_start[i], joint, share);
 		r_pose.orientations[i] = i == 0 ? _last[0] : r_pose.orientations[parent] * _last[i];
 	}
+	if (stage.part == RisePart::RISING) {
+		balance(p_rig, share, r_pose);
+	}
 	if (stage.lean > 0.0f) {
 		const Quat back = exp(_anatomy.get_view(_heading).cross(UP) * _lean);
 		for (std::size_t i = 0; i < _wanted.size(); i++) {
 			r_pose.orientations[i] = _anatomy.is_foot(i) ? r_pose.orientations[i] : back * r_pose.orientations[i];
 		}
+	}
+}
+
+void Rise::balance(const Rig &p_rig, float p_share, Pose &r_pose) {
+	const Vec3 view = _anatomy.get_view(_heading);
+	const Vec3 left = UP.cross(view);
+	// How far the feet point down.
+	Vec3 toes;
+	for (const Leg &leg : _legs) {
+		const std::size_t foot = std::size_t(leg.foot);
+		toes = toes + _anatomy.get_toes(foot, r_pose.orientations[foot]);
+	}
+	const Quat level_feet = exp(left * std::atan2(toes.y, toes.dot(view)));
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		_flat.orientations[i] = level_feet * r_pose.orientations[i];
+	}
+	p_rig.joint_positions(_flat, _joints);
+	const float half = 1.0f / float(_legs.size());
+	Vec3 feet;
+	for (const Leg &leg : _legs) {
+		const std::size_t foot = std::size_t(leg.foot);
+		feet = feet + (_joints[foot] + _flat.orientations[foot].rotate(p_rig[foot].centre)) * half;
+	}
+	const Vec3 off = p_rig.centre_of_mass(_flat, _joints) - feet;
+	const float wanted = _began_ahead * (1.0f - p_share);
+	const float lean = std::atan2(off.dot(view) - wanted, std::max(off.y, LOWEST_CENTRE));
+	const float stands = std::clamp((off.y - LIES_BELOW) / (STANDS_FROM - LIES_BELOW), 0.0f, 1.0f);
+	const float share = stands * std::clamp((1.0f - p_share) / HANDED_OVER, 0.0f, 1.0f);
+	const Quat back = exp(left * (share * -std::clamp(lean, -MAX_TURN_BACK, MAX_TURN_BACK)));
+	for (std::size_t i = 0; i < p_rig.size(); i++) {
+		const Quat flat = slerp(r_pose.orientations[i], _flat.orientations[i], share);
+		r_pose.orientations[i] = _anatomy.is_foot(i) ? flat : back * flat;
 	}
 }
 
@@ -195,6 +239,7 @@ void Rise::save(ArchiveWriter &p_archive) const {
 	p_archive.put(_time_s);
 	p_archive.put(_heading);
 	p_archive.put(_lean);
+	p_archive.put(_began_ahead);
 	p_archive.put(_help_scale);
 	p_archive.put_all(_start);
 	p_archive.put_all(_last);
@@ -211,8 +256,8 @@ bool Rise::restore(ArchiveReader &p_archive) {
 	_stage = stage;
 	_is_done = false;
 	_has_failed = false;
-	return p_archive.get(_time_s) && p_archive.get(_heading) && p_archive.get(_lean) && p_archive.get(_help_scale) &&
-			p_archive.get_all(_start) && p_archive.get_all(_last);
+	return p_archive.get(_time_s) && p_archive.get(_heading) && p_archive.get(_lean) && p_archive.get(_began_ahead) &&
+			p_archive.get(_help_scale) && p_archive.get_all(_start) && p_archive.get_all(_last);
 }
 
 } // namespace ragdoll

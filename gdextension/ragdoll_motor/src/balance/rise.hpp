@@ -52,6 +52,10 @@ private:
 	void find_balance(const Rig &p_rig, const RigState &p_state, float p_gravity, float p_delta_s);
 	void help(const RigState &p_state, const Pose &p_motion, float p_weight);
 	bool has_arrived(const RigState &p_state) const;
+	/// Stands the feet of a pose flat and turns all else about them until the centre of mass is over them: as joints
+	/// come from one pose to another in their own time, the body would lean like a plank in between.
+	/// @param p_share how far it has straightened up, 0 to 1
+	void balance(const Rig &p_rig, float p_share, Pose &r_pose);
 
 	Anatomy _anatomy;
 	std::vector<Leg> _legs;
@@ -69,6 +73,9 @@ private:
 	std::vector<Quat> _start; // Each limb in its parent's frame where the stage began, the hips in the world ...
 	std::vector<Quat> _last; // ... and where they were wanted last.
 	std::vector<Quat> _wanted;
+	Pose _flat; // The pose, turned until the feet stand flat ...
+	std::vector<Vec3> _joints; // ... and its joints, m.
+	float _began_ahead = 0.0f; // How far the centre of mass was ahead of the feet where the stage began, m.
 };
 
 } // namespace ragdoll
