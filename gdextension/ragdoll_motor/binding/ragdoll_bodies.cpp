@@ -302,6 +302,15 @@ void RagdollBodies::set_forces(const ragdoll::RootCommand &p_command) {
 	_hold.up = p_command.force_up;
 }
 
+void RagdollBodies::hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
+	// A kinematic body would drag the anchor along with any force, which the solver remembers when it lets go.
+	_joints[0].set_drive(LimbJoint::Drive::FREE);
+	if (_hold.across != 0.0f || _hold.up != 0.0f) {
+		set_forces({});
+	}
+	set_pose(0, p_orientation, p_joint);
+}
+
 void RagdollBodies::pull_root(
 		ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn) {
 	set_kinematic(0, false);

@@ -64,9 +64,7 @@ public:
 	/// Gives a body an impulse (N s) at a position from its origin (m), both in world axes.
 	void strike(std::size_t p_limb, const Vector3 &p_impulse, const Vector3 &p_position);
 	/// Sets the root's hold: kinematic at a pose, or by limited forces.
-	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint) {
-		set_pose(0, p_orientation, p_joint);
-	}
+	void hold_root(const ragdoll::Quat &p_orientation, const ragdoll::Vec3 &p_joint);
 	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn);
 	/// What the joint to the world did to the root in the last step of p_delta_s seconds, about the root's joint at
 	/// p_at, m.

@@ -7,7 +7,7 @@ namespace godot {
 
 namespace {
 
-constexpr std::uint32_t STATE_MAGIC = 0x41534D52; // "RMSA"
+constexpr std::uint32_t STATE_MAGIC = 0x42534D52; // "RMSB"
 
 } // namespace
 

@@ -195,6 +195,23 @@ TEST(who_speeds_up_slowly_is_not_knocked) {
 	}
 }
 
+TEST(who_has_sunk_on_one_leg_lifts_the_other_as_far) {
+	for (const float sunk : { 0.0f, 0.01f, 0.08f, 0.15f }) {
+		Stand stand;
+		stand.step(state_of(stand.rig, standing()));
+		stand.swing_by = 0.06f;
+		Pose lower = standing();
+		lower.root.y -= sunk;
+		for (int i = 0; i < 3; i++) {
+			stand.step(state_of(stand.rig, lower));
+		}
+		const BalanceSettings &settings = stand.balance.settings;
+		const float lifted = std::clamp(sunk - settings.sunk_slack, 0.0f, settings.sunk_most);
+		CHECK_NEAR(stand.sole(4), lifted, 5e-3);
+		CHECK_NEAR(stand.sole(7), 0.0, 5e-3);
+	}
+}
+
 TEST(takes_a_step_towards_where_a_push_drives_it) {
 	Stand stand;
 	const RigState still = state_of(stand.rig, standing());

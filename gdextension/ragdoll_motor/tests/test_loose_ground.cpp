@@ -33,11 +33,11 @@ TEST(a_leg_is_free_on_firm_ground_and_some_time_after_loose_things) {
 	LooseGround ground;
 	CHECK(ground.find_give(settings, BENT, STRETCHED).length() == 0.0f);
 	ground.advance(settings, true, 0.0f, STEP);
-	for (float s = 0.0f; s < settings.memory_s - 0.1f; s += STEP) {
+	for (int i = 0; float(i) * STEP < settings.memory_s - 0.1f; i++) {
 		ground.advance(settings, false, 0.0f, STEP);
 	}
 	CHECK(ground.find_give(settings, BENT, STRETCHED).length() > 0.0f);
-	for (float s = 0.0f; s < 0.2f; s += STEP) {
+	for (int i = 0; float(i) * STEP < 0.2f; i++) {
 		ground.advance(settings, false, 0.0f, STEP);
 	}
 	CHECK(ground.find_give(settings, BENT, STRETCHED).length() == 0.0f);

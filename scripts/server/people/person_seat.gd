@@ -34,6 +34,8 @@ const RETURN_FACTOR: float = 5.0
 const SLACK_M: float = 0.03
 ## Time constant with which the hips follow the motion's, s.
 const SMOOTH_S: float = 0.03
+## Time in which legs and arms come into the seat's pose, s: at once they would kick a light vehicle.
+const SIT_DOWN_S: float = 0.5
 ## Turn of the seat in a step from which on it counts as teleported, rad.
 const _TELEPORT_RAD: float = 0.2
 
@@ -56,6 +58,8 @@ var _way: PackedVector3Array = []
 var _from: Transform3D = Transform3D.IDENTITY
 var _time_s: float = 0.0
 var _duration_s: float = 0.0
+## When the person has come to sit; who comes out of another seat sits already.
+var _sat_s: float = -SIT_DOWN_S
 var _target: Vector3 = Vector3.ZERO
 ## The person's own frame at the end of the last step, and the hips in it, smoothed.
 var _frame: Transform3D = Transform3D.IDENTITY
@@ -154,6 +158,7 @@ func pull(p_delta_s: float) -> void:
 	_hips = _hips.lerp(_place.place, 1.0 - exp(-p_delta_s / SMOOTH_S))
 	_target = _frame * _hips
 	if phase == Phase.COMING and _time_s >= _duration_s:
+		_sat_s = _time_s
 		_arrive()
 	elif phase == Phase.LEAVING and _time_s >= _duration_s:
 		phase = Phase.GONE
@@ -182,6 +187,11 @@ func fit(p_sample: PoseSample) -> PoseSample:
 	var fitted: PoseSample = SeatedPose.fit(p_sample, hold, _place.place.y, _lengths)
 	if hold.hatch_radius > 0.0:
 		_room.fit(fitted, _place.place, hold, _place.folded())
+	var share: float = smoothstep(0.0, SIT_DOWN_S, _time_s - _sat_s)
+	if share < 1.0:
+		for limb: int in Limbs.COUNT:
+			var free: Quaternion = p_sample.orientation(limb)
+			fitted.set_orientation(limb, free.slerp(fitted.orientation(limb), share))
 	return fitted
 
 

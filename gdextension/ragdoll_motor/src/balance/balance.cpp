@@ -51,11 +51,10 @@ Vec3 Balance::find_ball(int p_foot) const {
 
 void Balance::clear() {
 	for (Foot &foot : _feet) {
-		const Leg limbs = foot.limbs;
-		const Vec3 ball = foot.ball;
-		foot = Foot();
-		foot.limbs = limbs;
-		foot.ball = ball;
+		Foot anew;
+		anew.limbs = foot.limbs;
+		anew.ball = foot.ball;
+		foot = anew;
 	}
 	rest();
 	_recovery.clear();
@@ -73,6 +72,7 @@ void Balance::rest() {
 	_ease = 0.0f;
 	_calm_s = 0.0f;
 	_stood_s = 0.0f;
+	_ran_s = 1e9f;
 }
 
 bool Balance::is_stepping() const {
@@ -237,10 +237,10 @@ Vec3 Balance::find_velocity(const BalanceInput &p_input, std::size_t p_limb) con
 	return (_joints_next[p_limb] - before) * (1.0f / p_input.delta_s);
 }
 
-bool Balance::has_swinging(const BalanceInput &p_input) const {
-	return std::any_of(_feet.begin(), _feet.end(), [&](const Foot &p_foot) {
-		return find_velocity(p_input, std::size_t(p_foot.limbs.foot)).length() > settings.swing_speed;
-	});
+std::size_t Balance::count_moving(const BalanceInput &p_input, float p_speed) const {
+	return std::size_t(std::count_if(_feet.begin(), _feet.end(), [&](const Foot &p_foot) {
+		return find_velocity(p_input, std::size_t(p_foot.limbs.foot)).length() > p_speed;
+	}));
 }
 
 void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot) {
@@ -262,15 +262,17 @@ void Balance::follow_ground(const BalanceInput &p_input, const Pose &p_now, cons
 	r_foot.hold.advance(*p_input.ground, settings.foothold, place, p_input.delta_s);
 }
 
-void Balance::find_loose(const BalanceInput &p_input, const Pose &p_now) {
+void Balance::find_sunk(const BalanceInput &p_input, const Pose &p_now) {
 	const bool is_loose =
 			std::any_of(_feet.begin(), _feet.end(), [](const Foot &p_foot) { return p_foot.hold.is_loose(); });
 	const float lower = p_now.root.y + _offset.y - p_input.state->root.y;
 	_loose.advance(settings.loose, is_loose, lower, p_input.delta_s);
+	_sunk = std::clamp(lower - (_ran_s < settings.run_s ? 0.0f : settings.sunk_slack), 0.0f, settings.sunk_most);
 }
 
 Vec3 Balance::find_away(const Foot &p_foot) const {
-	return p_foot.offset + Vec3{ 0.0f, p_foot.hold.get_height() - _offset.y + p_foot.lift - _loose.get_sag(), 0.0f };
+	const float sunk = std::max(p_foot.is_up() ? _sunk : 0.0f, -_loose.get_sag());
+	return p_foot.offset + Vec3{ 0.0f, p_foot.hold.get_height() - _offset.y + p_foot.lift + sunk, 0.0f };
 }
 
 void Balance::give_way(const Rig &p_rig, const RigState &p_state, Foot &r_foot) const {
@@ -318,7 +320,7 @@ void Balance::stay(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now, P
 		foot.lift = 0.0f;
 		foot.is_new = false;
 	}
-	const float stood = has_swinging(p_input) ? 0.0f : _stood_s + p_input.delta_s;
+	const float stood = count_moving(p_input, settings.swing_speed) > 0 ? 0.0f : _stood_s + p_input.delta_s;
 	rest();
 	// Who gets up to stand is not held as if he walked.
 	_stood_s = stood;
@@ -352,10 +354,11 @@ void Balance::advance(const Rig &p_rig, const BalanceInput &p_input, Pose &r_now
 		stay(p_rig, p_input, r_now, r_next);
 		return;
 	}
-	find_loose(p_input, r_now);
+	find_sunk(p_input, r_now);
 	move_offset(p_input);
 	begin_steps();
 	_stood_s += p_input.delta_s;
+	_ran_s = count_moving(p_input, settings.run_speed) == _feet.size() ? 0.0f : _ran_s + p_input.delta_s;
 	for (Foot &foot : _feet) {
 		move_foot(p_input, r_now, foot);
 		give_way(p_rig, *p_input.state, foot);
@@ -377,6 +380,7 @@ void Balance::save(ArchiveWriter &p_archive) const {
 	_loose.save(p_archive);
 	p_archive.put(_force);
 	p_archive.put(_stood_s);
+	p_archive.put(_ran_s);
 	p_archive.put(_calm_s);
 	_knock.save(p_archive);
 	p_archive.put(_begun);
@@ -389,7 +393,7 @@ bool Balance::restore(ArchiveReader &p_archive) {
 		foot.hold.restore(p_archive);
 	}
 	return p_archive.get(_offset) && _loose.restore(p_archive) && p_archive.get(_force) && p_archive.get(_stood_s) &&
-			p_archive.get(_calm_s) && _knock.restore(p_archive) && p_archive.get(_begun) &&
+			p_archive.get(_ran_s) && p_archive.get(_calm_s) && _knock.restore(p_archive) && p_archive.get(_begun) &&
 			_recovery.restore(p_archive);
 }
 

@@ -74,6 +74,17 @@ struct BalanceSettings {
 	FootholdSettings foothold;
 	/// How fast the body follows its feet up and down, m/s.
 	float rise_speed = 1.0f;
+	/// A foot in the air is raised by how much lower the hips are than legs and motion mean them to be, up to the
+	/// first number, m: who lands from a stride sinks, and would trip over that foot; of who walks, only beyond the
+	/// second one. Without, 24 runs of foreign clips are off by 4.6 deg and 1.07 m from their wearers (mean of the
+	/// errors, median of the greatest distances), with these by 3.8 and 0.34; with 0.15 3 of them fall. With no slack
+	/// for walkers, 11 walks are off by 1.13 instead of 0.89 deg (median).
+	float sunk_most = 0.1f;
+	float sunk_slack = 0.02f;
+	/// The motion runs while both feet are faster than this, m/s, and for so long after, s. With 1.5 one runner gets
+	/// 3.9 m away, with 1 who walks fast counts as well.
+	float run_speed = 1.2f;
+	float run_s = 0.6f;
 	/// How legs behave over loose things.
 	LooseGroundSettings loose;
 	/// Somebody who stands takes a step from this distance of the capture point on, m: somewhat more than
@@ -195,14 +206,14 @@ private:
 	void move_foot(const BalanceInput &p_input, const Pose &p_now, Foot &r_foot);
 	/// How fast the motion moves a limb's joint, what carries the person aside, m/s.
 	Vec3 find_velocity(const BalanceInput &p_input, std::size_t p_limb) const;
-	/// Whether the motion moves any foot.
-	bool has_swinging(const BalanceInput &p_input) const;
+	/// How many feet the motion moves faster than p_speed, m/s.
+	std::size_t count_moving(const BalanceInput &p_input, float p_speed) const;
 	/// @param p_velocity of the motion's foot, level, m/s
 	void follow_ground(const BalanceInput &p_input, const Pose &p_now, const Vec3 &p_velocity, Foot &r_foot);
 	/// Nothing holds or moves it: it was put somewhere, or lies.
 	void rest();
-	/// Sees whether feet are over loose things, and how far the body has sunk on them.
-	void find_loose(const BalanceInput &p_input, const Pose &p_now);
+	/// Sees how far the body has sunk on its legs, and whether over loose things.
+	void find_sunk(const BalanceInput &p_input, const Pose &p_now);
 	/// How far a foot is put from where the motion has it, seen from the body, m.
 	Vec3 find_away(const Foot &p_foot) const;
 	/// Lets a leg over loose things push no more than it may.
@@ -223,6 +234,8 @@ private:
 	std::vector<Vec3> _joints_next;
 	Vec3 _offset; // m
 	LooseGround _loose;
+	float _sunk = 0.0f; // How much lower the hips are than feet in the air may take them to be, m.
+	float _ran_s = 1e9f; // Since the motion ran.
 	Vec3 _error; // Of the centre of mass, horizontal, m.
 	Vec3 _velocity_error; // m/s
 	Vec3 _capture; // m
