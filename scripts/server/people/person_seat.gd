@@ -34,7 +34,7 @@ const RETURN_FACTOR: float = 5.0
 const SLACK_M: float = 0.03
 ## Time constant with which the hips follow the motion's, s.
 const SMOOTH_S: float = 0.03
-## Time in which legs and arms come into the seat's pose, s: at once they would kick a light vehicle.
+## Time in which legs and arms come into the seat's pose, s: at once they kick a light vehicle.
 const SIT_DOWN_S: float = 0.5
 ## Turn of the seat in a step from which on it counts as teleported, rad.
 const _TELEPORT_RAD: float = 0.2
