@@ -24,6 +24,8 @@ LONG_FILES = 40
 VERDICT = re.compile(r"^(ok  |FAIL) (\S+)  (\S+)  \((\d+) ms\)", re.M)
 # Lines before a test's verdict that are of use where it fails.
 SAID_BEFORE = 60
+# What a verbose engine says that is of no use there.
+NOISE = re.compile(r"^(?:Loading resource|Orphan StringName): .*\n", re.M)
 
 
 @dataclass
@@ -69,6 +71,7 @@ class GDScriptSuite:
         command += ["-s", "res://tests/framework/test_runner.gd", "--", *options]
         # Each has its own user://.
         code, output = self.godot.call(command, LIMIT_S, home=f"test-home-{number}")
+        output = NOISE.sub("", output)
         keep_durations(read_times(output))
         result = read_output(output)
         # Two thousand lines would hide the few that are of use.

@@ -68,9 +68,7 @@ public:
 	void pull_root(ragdoll::RootMode p_mode, const ragdoll::RootCommand &p_command, const ragdoll::Vec3 &p_turn);
 	/// What the joint to the world did to the root in the last step of p_delta_s seconds, about the root's joint at
 	/// p_at, m.
-	ragdoll::Residual weigh_hold(const ragdoll::Vec3 &p_at, float p_delta_s) const {
-		return _anchor.weigh(p_at, p_delta_s);
-	}
+	ragdoll::Residual weigh_hold(const ragdoll::Vec3 &p_at, float p_delta_s) { return _anchor.weigh(p_at, p_delta_s); }
 	/// The joint that holds a limb.
 	const RID &get_joint(std::size_t p_limb) const { return _joints[p_limb].get_rid(); }
 	/// The limb that SELF_RIGHTING keeps upright besides the root.

@@ -41,7 +41,7 @@ void WorldAnchor::free() {
 	}
 }
 
-ragdoll::Residual WorldAnchor::weigh(const ragdoll::Vec3 &p_at, float p_delta_s) const {
+ragdoll::Residual WorldAnchor::weigh(const ragdoll::Vec3 &p_at, float p_delta_s) {
 	PhysicsDirectBodyState3D *state = server()->body_get_direct_state(_body);
 	if (state == nullptr) {
 		return {};

@@ -24,7 +24,7 @@ public:
 	const RID &get_rid() const { return _body; }
 	/// What the joint did to the person in the last step, of p_delta_s seconds; about p_at, m. Zero where the space
 	/// has not stepped since.
-	ragdoll::Residual weigh(const ragdoll::Vec3 &p_at, float p_delta_s) const;
+	ragdoll::Residual weigh(const ragdoll::Vec3 &p_at, float p_delta_s);
 
 private:
 	RID _body;

@@ -266,10 +266,7 @@ void Driver::command_root(const RigState &p_state, float p_delta_s) {
 		push.torque = push.torque + _balance.get_recovery().get_help() * (strength * _table.get_flinch(0));
 	}
 	// A hit shoves and turns the hips too, but drops nobody.
-	const float flinch = _table.get_flinch(0);
-	_commands.root.force_across *= flinch;
-	_commands.root.torque *= flinch;
-	_commands.root.assist_torque *= flinch;
+	_commands.root.weaken(_table.get_flinch(0));
 	_residual.expect({ _commands.root.push, _commands.pushes[0].torque });
 }
 

@@ -158,7 +158,6 @@ func pull(p_delta_s: float) -> void:
 	_hips = _hips.lerp(_place.place, 1.0 - exp(-p_delta_s / SMOOTH_S))
 	_target = _frame * _hips
 	if phase == Phase.COMING and _time_s >= _duration_s:
-		_sat_s = _time_s
 		_arrive()
 	elif phase == Phase.LEAVING and _time_s >= _duration_s:
 		phase = Phase.GONE
@@ -242,6 +241,7 @@ func _end_hold() -> void:
 
 ## The way is done: the hold begins where the hips are near enough.
 func _arrive() -> void:
+	_sat_s = _time_s
 	if _hips_place().distance_to(_target) < ARRIVED_M:
 		_sit()
 	elif _time_s > _duration_s + MAX_DELAY_S:

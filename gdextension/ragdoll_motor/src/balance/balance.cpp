@@ -81,14 +81,8 @@ bool Balance::is_stepping() const {
 
 void Balance::find_error(const Rig &p_rig, const BalanceInput &p_input, const Pose &p_now, const Pose &p_next) {
 	const RigState &state = *p_input.state;
-	Vec3 centre;
-	Vec3 velocity;
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		centre = centre + state.centres[i] * p_rig[i].mass;
-		velocity = velocity + state.linear[i] * p_rig[i].mass;
-	}
-	centre = centre * (1.0f / p_rig.get_mass());
-	velocity = velocity * (1.0f / p_rig.get_mass());
+	const Vec3 centre = p_rig.centre_of_mass(state);
+	const Vec3 velocity = p_rig.mean_velocity(state);
 	const Vec3 wanted = p_rig.centre_of_mass(p_now, _joints_now);
 	const Vec3 wanted_next = p_rig.centre_of_mass(p_next, _joints_next);
 	if (!_begun) {

@@ -103,14 +103,9 @@ void Rise::find_heading(const RigState &p_state) {
 }
 
 void Rise::find_balance(const Rig &p_rig, const RigState &p_state, float p_gravity, float p_delta_s) {
-	Vec3 centre;
-	Vec3 velocity;
+	const Vec3 centre = p_rig.centre_of_mass(p_state);
+	const Vec3 velocity = p_rig.mean_velocity(p_state);
 	Vec3 feet;
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		const float share = p_rig[i].mass / p_rig.get_mass();
-		centre = centre + p_state.centres[i] * share;
-		velocity = velocity + p_state.linear[i] * share;
-	}
 	for (const Leg &leg : _legs) {
 		feet = feet + p_state.centres[std::size_t(leg.foot)] * (1.0f / float(_legs.size()));
 	}

@@ -7,14 +7,6 @@ namespace ragdoll {
 
 namespace {
 
-Vec3 mean_velocity(const Rig &p_rig, const RigState &p_state) {
-	Vec3 sum;
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		sum = sum + p_state.linear[i] * p_rig[i].mass;
-	}
-	return sum * (1.0f / p_rig.get_mass());
-}
-
 bool is_finite(const RigState &p_state) {
 	for (std::size_t i = 0; i < p_state.orientations.size(); i++) {
 		if (!p_state.orientations[i].is_finite() || !p_state.centres[i].is_finite() || !p_state.linear[i].is_finite() ||
@@ -40,7 +32,7 @@ float energy_about(const Rig &p_rig, const RigState &p_state, const Vec3 &p_mean
 } // namespace
 
 float EnergyGuard::internal_energy(const Rig &p_rig, const RigState &p_state) {
-	return energy_about(p_rig, p_state, mean_velocity(p_rig, p_state));
+	return energy_about(p_rig, p_state, p_rig.mean_velocity(p_state));
 }
 
 std::uint32_t EnergyGuard::check(const Rig &p_rig, RigState &r_state) const {
@@ -48,7 +40,7 @@ std::uint32_t EnergyGuard::check(const Rig &p_rig, RigState &r_state) const {
 		return GUARD_LOST;
 	}
 	std::uint32_t acted = GUARD_NOTHING;
-	const Vec3 mean = mean_velocity(p_rig, r_state);
+	const Vec3 mean = p_rig.mean_velocity(r_state);
 	const float speed = mean.length();
 	const float energy = energy_about(p_rig, r_state, mean);
 	const float most = max_energy * p_rig.get_mass();

@@ -81,6 +81,22 @@ Vec3 Rig::centre_of_mass(const Pose &p_pose, const std::vector<Vec3> &p_joints) 
 	return sum * (1.0f / _mass);
 }
 
+Vec3 Rig::centre_of_mass(const RigState &p_state) const {
+	return weigh(p_state.centres);
+}
+
+Vec3 Rig::mean_velocity(const RigState &p_state) const {
+	return weigh(p_state.linear);
+}
+
+Vec3 Rig::weigh(const std::vector<Vec3> &p_values) const {
+	Vec3 sum;
+	for (std::size_t i = 0; i < _limbs.size(); i++) {
+		sum = sum + p_values[i] * _limbs[i].mass;
+	}
+	return sum * (1.0f / _mass);
+}
+
 Vec3 Rig::joint_of(const RigState &p_state, std::size_t p_limb) const {
 	return p_state.centres[p_limb] - p_state.orientations[p_limb].rotate(_limbs[p_limb].centre);
 }

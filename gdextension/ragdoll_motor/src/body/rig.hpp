@@ -71,10 +71,16 @@ public:
 	void joint_positions(const Pose &p_pose, std::vector<Vec3> &r_positions) const;
 	/// The whole body's centre of mass for a pose whose joints are known, m.
 	Vec3 centre_of_mass(const Pose &p_pose, const std::vector<Vec3> &p_joints) const;
+	/// The same of bodies as they are, m, and how fast it moves, m/s.
+	Vec3 centre_of_mass(const RigState &p_state) const;
+	Vec3 mean_velocity(const RigState &p_state) const;
 	/// The joint's position in the world by the state of the limb's own body, m.
 	Vec3 joint_of(const RigState &p_state, std::size_t p_limb) const;
 
 private:
+	/// The mean of the limbs' values by their masses.
+	Vec3 weigh(const std::vector<Vec3> &p_values) const;
+
 	std::vector<Segment> _limbs;
 	std::vector<Vec3> _subtree_inertia;
 	std::vector<Vec3> _own_inertia;

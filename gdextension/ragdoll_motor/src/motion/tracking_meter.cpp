@@ -32,13 +32,12 @@ void TrackingMeter::compare(const Noted &p_noted, const PoseStream &p_stream, co
 	double total = 0.0;
 	for (std::size_t i = 0; i < p_noted.actual.size(); i++) {
 		const double angle = angle_between(p_noted.actual[i], _truth.orientations[i]);
-		_histogram[std::min(std::size_t(angle / BIN), BINS - 1)]++;
+		_histogram.add(angle / BIN);
 		total += angle;
 		_distance_sum += double((p_noted.joints[i] - _true_joints[i]).length());
 	}
 	_last_mean = total / double(p_noted.actual.size());
 	_sum += total;
-	_count += p_noted.actual.size();
 }
 
 void TrackingMeter::compare_shifted(const Noted &p_noted, const PoseStream &p_stream) {
@@ -76,20 +75,13 @@ double TrackingMeter::lag() const {
 }
 
 double TrackingMeter::percentile(double p_fraction) const {
-	std::uint64_t below = 0;
-	for (std::size_t i = 0; i < BINS; i++) {
-		below += _histogram[i];
-		if (below > 0 && double(below) >= p_fraction * double(_count)) {
-			return (double(i) + 0.5) * BIN;
-		}
-	}
-	return 0.0;
+	const int bin = _histogram.find(p_fraction);
+	return bin < 0 ? 0.0 : (double(bin) + 0.5) * BIN;
 }
 
 void TrackingMeter::clear() {
 	_waiting.clear();
-	_histogram.fill(0);
-	_count = 0;
+	_histogram.clear();
 	_sum = 0.0;
 	_last_mean = 0.0;
 	_distance_sum = 0.0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/histogram.hpp"
 #include "base/vectors.hpp"
 #include "body/rig.hpp"
 #include "motion/pose_stream.hpp"
@@ -27,15 +28,15 @@ public:
 	void forget_waiting() { _waiting.clear(); }
 
 	/// Number of limb orientations compared.
-	std::uint64_t get_count() const { return _count; }
+	std::uint64_t get_count() const { return _histogram.get_count(); }
 	/// Mean and 95th percentile of the angle between limb and motion, rad.
-	double mean() const { return _count > 0 ? _sum / double(_count) : 0.0; }
+	double mean() const { return get_count() > 0 ? _sum / double(get_count()) : 0.0; }
 	double percentile(double p_fraction) const;
 	/// Mean angle of the limbs in the pose compared last, rad.
 	double latest() const { return _last_mean; }
 	/// Mean distance between the limbs' joints and where the motion has them, m. Says something only
 	/// where the root is where the motion has it.
-	double mean_distance() const { return _count > 0 ? _distance_sum / double(_count) : 0.0; }
+	double mean_distance() const { return get_count() > 0 ? _distance_sum / double(get_count()) : 0.0; }
 	/// How far the limbs come behind the motion, s: the delay of the motion with which they agree best;
 	/// below 0 they are ahead of it. 0 unless `measures_lag`.
 	double lag() const;
@@ -68,8 +69,7 @@ private:
 	void compare(const Noted &p_noted, const PoseStream &p_stream, const Rig &p_rig);
 
 	std::deque<Noted> _waiting;
-	std::array<std::uint64_t, BINS> _histogram{};
-	std::uint64_t _count = 0;
+	Histogram<BINS> _histogram;
 	double _sum = 0.0;
 	double _last_mean = 0.0;
 	double _distance_sum = 0.0;

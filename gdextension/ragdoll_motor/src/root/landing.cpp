@@ -31,14 +31,8 @@ float Landing::find_way(const Rig &p_rig, const Obstacles &p_obstacles, const Ve
 
 bool Landing::advance(const Rig &p_rig, const Obstacles *p_obstacles, const Vec3 &p_carried, float p_delta_s,
 		RigState &r_state) const {
-	Vec3 centre;
-	Vec3 velocity;
-	for (std::size_t i = 0; i < p_rig.size(); i++) {
-		centre = centre + r_state.centres[i] * p_rig[i].mass;
-		velocity = velocity + r_state.linear[i] * p_rig[i].mass;
-	}
-	centre = centre * (1.0f / p_rig.get_mass());
-	const Vec3 way = velocity * (p_delta_s / p_rig.get_mass()) - p_carried;
+	const Vec3 centre = p_rig.centre_of_mass(r_state);
+	const Vec3 way = p_rig.mean_velocity(r_state) * p_delta_s - p_carried;
 	const float length = way.length();
 	Hit hit;
 	if (p_obstacles == nullptr || !(length > LONG_STEP) ||

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "base/histogram.hpp"
 #include "base/vectors.hpp"
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 
 namespace ragdoll {
 
@@ -22,29 +21,23 @@ public:
 	/// What the motor itself applies in the step that begins, besides the joint to the world.
 	void expect(const Residual &p_applied) { _applied = p_applied; }
 	/// Notes what the joint to the world gave in the step that has ended.
-	void note(const Residual &p_joint);
+	void note(const Residual &p_joint) {
+		_latest = { p_joint.force + _applied.force, p_joint.torque + _applied.torque };
+		_torques.add(double(_latest.torque.length() / BIN));
+	}
 	/// Of the last step.
 	const Residual &get_latest() const { return _latest; }
-	/// What the lengths of force (N) and torque (N m) did not exceed in that part of the steps, to 10 N and 10 N m.
-	float find_force(double p_fraction) const { return _forces.find(p_fraction, _count); }
-	float find_torque(double p_fraction) const { return _torques.find(p_fraction, _count); }
-	void clear();
+	/// What the torque's length did not exceed in that part of the steps, to 10 N m.
+	float find_torque(double p_fraction) const { return float(_torques.find(p_fraction) + 1) * BIN; }
+	void clear() { *this = ResidualMeter(); }
 
 private:
-	static constexpr float BIN = 10.0f; // N or N m
+	static constexpr float BIN = 10.0f; // N m
 	static constexpr std::size_t BINS = 256;
-	struct Histogram {
-		std::array<std::uint32_t, BINS> bins{};
-
-		void add(float p_value);
-		float find(double p_fraction, std::uint64_t p_count) const;
-	};
 
 	Residual _applied;
 	Residual _latest;
-	Histogram _forces;
-	Histogram _torques;
-	std::uint64_t _count = 0;
+	Histogram<BINS> _torques;
 };
 
 } // namespace ragdoll

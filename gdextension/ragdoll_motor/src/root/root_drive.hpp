@@ -45,6 +45,13 @@ struct RootCommand {
 	float assist_torque = 0.0f; ///< Of the joint that keeps a free root upright (is_free()), N m.
 	Vec3 assist_turn; ///< The turning rate of that joint, its limb's axes, rad/s.
 	Vec3 push; ///< A force on the root's body besides, world axes, N.
+
+	/// Leaves a share of what holds the root, but of what carries it up.
+	void weaken(float p_share) {
+		force_across *= p_share;
+		torque *= p_share;
+		assist_torque *= p_share;
+	}
 };
 
 /// Parameters of the root's hold.
