@@ -125,13 +125,13 @@ static func _describe_clearance(p_turns: PackedFloat32Array) -> String:
 	return "" if most == 0.0 else "    own limbs kept apart by %.0f deg" % rad_to_deg(most)
 
 
-## What a grounded body does for its balance; nothing for others.
+## What a grounded body does for its balance, a line of its own; nothing for others.
 static func _describe_balance(p_balance: Dictionary) -> String:
 	if p_balance.is_empty():
 		return ""
 	var offset: Vector3 = p_balance["offset_m"]
 	return (
-		"    %s: force %.0f of %.0f N, torque %.0f N m (p95 %.0f, an axis up to %.0f), tether %.2f m"
+		"\n%s: force %.0f of %.0f N, torque %.0f N m (p95 %.0f, an axis up to %.0f), tether %.2f m"
 		% [
 			"steps" if p_balance["is_stepping"] else _PHASES[p_balance["phase"]],
 			p_balance["force_n"],
