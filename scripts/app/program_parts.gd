@@ -29,6 +29,7 @@ const CLIENT: Dictionary[String, Who] = {
 	"res://scripts/client/seat/client_seat.gd": Who.LIVE,
 	"res://scripts/client/display/client_display.gd": Who.ALL,
 	"res://scripts/client/display/client_frames.gd": Who.ALL,
+	"res://scripts/client/walk/client_walker.gd": Who.MOVES,
 	"res://scripts/client/suit/mocap_setup.gd": Who.MOVES,
 	"res://scripts/client/orders/instructor_desk.gd": Who.MODERATES,
 	"res://scripts/client/level/client_levels.gd": Who.LIVE,
@@ -48,6 +49,7 @@ const SERVER: PackedStringArray = [
 	"res://scripts/server/effects/server_effects.gd",
 	"res://scripts/server/parts/people_part.gd",
 	"res://scripts/server/parts/entities_part.gd",
+	"res://scripts/server/parts/walkers_part.gd",
 	"res://scripts/server/parts/motion_part.gd",
 	"res://scripts/server/parts/status_part.gd",
 	"res://scripts/server/parts/companion_part.gd",
@@ -59,6 +61,7 @@ const SERVER: PackedStringArray = [
 const OPTIONS: PackedStringArray = [
 	"res://scripts/net/session/connection_options.gd",
 	"res://scripts/client/suit/suit_options.gd",
+	"res://scripts/client/walk/walk_options.gd",
 	"res://scripts/server/parts/server_options.gd",
 	"res://scripts/server/parts/world_options.gd",
 	"res://scripts/client/display/display_options.gd",

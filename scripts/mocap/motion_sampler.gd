@@ -156,6 +156,7 @@ func _run() -> void:
 ## The mutex lets the two threads deliver one after the other.
 func _take(p_due_usec: int, p_late_usec: float, p_is_in_world: bool) -> void:
 	var samples: Array[PoseSample] = []
+	var sent: Array[PoseSample] = []
 	_asking.lock()
 	for number: int in _lanes:
 		var source: MotionSource = _lanes[number].source
@@ -165,8 +166,11 @@ func _take(p_due_usec: int, p_late_usec: float, p_is_in_world: bool) -> void:
 		if sample != null:
 			sample.person = number
 			samples.append(sample)
+			if source.is_sent():
+				sent.append(sample)
+	if not sent.is_empty():
+		_deliver.call(sent)
 	if not samples.is_empty():
-		_deliver.call(samples)
 		_keep(samples, p_late_usec)
 	_asking.unlock()
 

@@ -30,6 +30,11 @@ func needs_world() -> bool:
 	return false
 
 
+## Whether the server needs the samples: not of those whom it moves itself.
+func is_sent() -> bool:
+	return true
+
+
 ## Height of the wearer's hips above the ground when standing, m.
 func get_hip_height() -> float:
 	return 0.95

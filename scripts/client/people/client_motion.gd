@@ -55,6 +55,9 @@ func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float
 	var fault: String = worn.show_on(p_joints, p_hips) if worn != null else ""
 	if fault != "":
 		Log.warning("client", "hands may miss what they hold: " + fault)
+	var walker: WalkerSource = source as WalkerSource
+	if walker != null:
+		walker.embody(p_hips)
 	_body.clear()
 	_has_body = true
 	_truth_tick = -1
@@ -99,12 +102,10 @@ func take_samples() -> void:
 func evaluate(p_now_usec: int, p_truth: PackedFloat32Array, p_tick: int) -> PackedFloat32Array:
 	if not _has_body or p_truth.is_empty():
 		return PackedFloat32Array()
-	if p_tick != _truth_tick and _link.clock.is_known() and not _trips.is_empty():
+	var moment: int = _moment_of(p_tick) if p_tick != _truth_tick else -1
+	if moment >= 0:
 		_truth_tick = p_tick
-		# The step that ended tick p_tick aimed at the motion as known at the tick's beginning,
-		# one step further.
-		var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
-		_body.add_truth(aimed + MotionSender.unix_ahead(), p_truth)
+		_body.add_truth(moment, p_truth)
 	# Only the server knows where the body is in the world, and what it touches.
 	if _truth_tick < 0:
 		return PackedFloat32Array()
@@ -137,6 +138,19 @@ func shown_moment_usec(p_now_usec: int) -> int:
 ## Stats for a report.
 func stats() -> Dictionary:
 	return _sender.stats(_index)
+
+
+## Which moment of the motion a tick of the server has made true: µs of Unix time; -1: not known.
+func _moment_of(p_tick: int) -> int:
+	var walker: WalkerSource = source as WalkerSource
+	if walker != null:
+		return walker.moment_of(p_tick)
+	if not _link.clock.is_known() or _trips.is_empty():
+		return -1
+	# The step that ended the tick aimed at the motion as known at the tick's beginning, one step
+	# further.
+	var aimed: int = _link.clock.local_usec_of_tick(p_tick + 1.0) - _trips.min()
+	return aimed + MotionSender.unix_ahead()
 
 
 ## Where something that faces +Z at rest faces: rad about the vertical.

@@ -31,6 +31,8 @@ var calibration: ClientCalibration = ClientCalibration.new()
 var make_default: Callable = Callable()
 ## A headset will move the user's body once it is there: until then no other source does.
 var awaits_headset: bool = false
+## Who walks without a suit, or null.
+var walker: WalkerSource = null
 ## Those who wear sensors.
 var wearers: Array[SuitSource] = []
 
@@ -282,6 +284,13 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 		"tracker":
 			_trackers.append(TrackerSource.new(p_address.text))
 			people.appear(_trackers[-1], "", p_number)
+			return ""
+		"walker":
+			if walker != null:
+				return "--source=walker is named twice: one client walks for one person"
+			walker = WalkerSource.new()
+			_has_files = true
+			people.appear(walker, "", p_number)
 			return ""
 		"xr":
 			if awaits_headset:

@@ -17,6 +17,8 @@ var hides_head: bool = false
 ## Out of whose eyes the camera looks, or -1.
 var eyes: int = -1
 
+# Where the own eyes look, where the user turns them by hand: heading and up, rad; NAN: by the body.
+var _look: Vector2 = Vector2(NAN, 0.0)
 # The people who are shown, as the scene has them.
 var _actors: Dictionary[int, ActorView] = {}
 var _followed: FollowedPerson = FollowedPerson.new()
@@ -83,6 +85,12 @@ func look_through_next(p_views: Array[ObserverCamera]) -> String:
 	return "This level has no views of its own" if p_views.is_empty() else "Back to people"
 
 
+## Says where the user turns the own eyes by hand: the angle about +Y, rad, 0 towards +Z, and up, rad.
+## NAN: they look where the body's head does.
+func look(p_heading: float, p_up: float) -> void:
+	_look = Vector2(p_heading, p_up)
+
+
 ## Looks at the followed person from elsewhere: around, from behind, out of the eyes.
 func change_view() -> void:
 	if camera.fixed != null:
@@ -115,10 +123,21 @@ func aim() -> int:
 		camera.target = _actors[actor].hips()
 		camera.head = _actors[actor].head()
 		camera.heading = _actors[actor].heading()
+		if actor == _followed.own and not is_nan(_look.x):
+			_look_by_hand()
 		if not _is_aimed:
 			camera.snap()
 			_is_aimed = true
 	return actor if looks_out else -1
+
+
+## A mouse turns the eyes at once, and the view from behind with them.
+func _look_by_hand() -> void:
+	var turn: Quaternion = Rotations.yaw(_look.x) * Quaternion(Vector3.RIGHT, -_look.y)
+	camera.head = Transform3D(Basis(turn), camera.head.origin)
+	camera.heading = _look.x
+	if camera.view == OrbitCamera.View.BEHIND:
+		camera.elevation = clampf(0.2 - _look.y, deg_to_rad(-60.0), deg_to_rad(80.0))
 
 
 ## Tells the camera where bodies near it are.

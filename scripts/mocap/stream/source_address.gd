@@ -41,6 +41,7 @@ const KINDS: Dictionary[String, Form] = {
 	"natnet": Form.HOST,
 	"webcam": Form.PORT,
 	"xr": Form.BARE,
+	"walker": Form.BARE,
 }
 ## The usual ports.
 const PORTS: Dictionary[String, int] = {

@@ -56,6 +56,8 @@ enum Message {
 	EFFECT = 23,
 	## Server to client, fast path: see [ImpactMessage].
 	IMPACTS = 24,
+	## Server to a client that walks, reliable: see [WalkMessage].
+	WALK = 25,
 }
 
 ## Second byte of a [constant Message.CONTROL].

@@ -44,8 +44,9 @@ var refused_in_a_row: int = 0
 var delay: Statistics = Statistics.recent()
 
 
-## Takes a sample that arrived at a time, s.
-func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
+## Takes a sample that arrived at a time, s. One that was made here may be of a moment that is still
+## ahead by some time, s.
+func push_sample(p_sample: PoseSample, p_now_s: float, p_ahead_s: float = 0.0) -> void:
 	var sample_s: float = p_sample.time_usec / 1e6
 	var root: Vector3 = p_sample.root * scale + origin
 	var driving: PoseSample = p_sample
@@ -55,7 +56,7 @@ func push_sample(p_sample: PoseSample, p_now_s: float) -> void:
 	if ragdoll.push_sample(sample_s, driving, root):
 		newest = p_sample
 		refused_in_a_row = 0
-		clock.arrived(sample_s, p_now_s)
+		clock.arrived(sample_s - p_ahead_s, p_now_s)
 		return
 	refused += 1
 	refused_in_a_row += 1

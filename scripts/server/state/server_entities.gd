@@ -273,8 +273,8 @@ func _find_fault(
 			return "nobody commands %s" % p_row.describe()
 		EntityType.CommandedBy.POSSESSOR:
 			var name: StringName = p_row.type.commands[p_command.command].name
-			var takes_seat: bool = name == Seat.TAKE
-			if not takes_seat and _possession.possessor_of(p_row.id) != p_session:
+			var is_own: bool = p_row.is_person() and p_row.owner == p_session
+			if name != Seat.TAKE and not is_own and _possession.possessor_of(p_row.id) != p_session:
 				return "%s is not possessed by the session" % p_row.describe()
 	return ""
 

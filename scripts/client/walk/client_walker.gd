@@ -1,0 +1,157 @@
+class_name ClientWalker
+extends ClientPart
+## Lets this client's user walk by keys, mouse or gamepad where [code]--source=walker[/code] says so:
+## sends what is wished, takes the server's corrections, and looks where the eyes do.
+
+## Margin with which inputs arrive before their tick, ticks: the variation of the network.
+const MARGIN_TICKS: float = 2.5
+
+var _controls: WalkerControls = WalkerControls.new()
+var _bodies: WalkerBodies = WalkerBodies.new()
+var _source: WalkerSource = null
+var _actor: int = -1
+
+
+func _unhandled_input(p_event: InputEvent) -> void:
+	if _source == null or context.is_menu_open() or _controls.list != null:
+		return
+	var click: InputEventMouseButton = p_event as InputEventMouseButton
+	if click != null and click.pressed and click.button_index == MOUSE_BUTTON_LEFT:
+		Input.mouse_mode = Input.MOUSE_MODE_CAPTURED
+		get_viewport().set_input_as_handled()
+
+
+func open(p_context: ClientContext) -> String:
+	super(p_context)
+	add_child(_controls)
+	if context.options.text("walk") != "":
+		_controls.list = WalkScript.parse(context.options.text("walk"))
+		if _controls.list.error != "":
+			return _controls.list.error
+	context.link.handle(Protocol.Message.WALK, MessageHandlers.Path.RELIABLE, _on_walk)
+	context.link.joined.connect(_restart)
+	var level: ClientLevel = context.scene.get_level()
+	level.changed.connect(func(fresh: Level, _differs: bool) -> void: _bodies.set_level(fresh))
+	level.entity_added.connect(_on_entity_added)
+	return ""
+
+
+func begin_frame() -> void:
+	if _source == null:
+		_source = _find_source()
+	if _source == null:
+		return
+	var is_seated: bool = SeatControls.find_seat(get_tree()) != null
+	_controls.hands_off = context.is_menu_open() or is_seated
+	if _controls.hands_off and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
+		Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+	_meet_actor()
+
+
+## The eyes of who walks look where the mouse points, without waiting for the body.
+func advance(_delta_s: float) -> void:
+	if _source != null and _actor >= 0 and not _controls.hands_off:
+		context.scene.view.look(_controls.heading, _controls.look)
+	elif _source != null:
+		context.scene.view.look(NAN, 0.0)
+
+
+func report() -> Dictionary:
+	if _source == null:
+		return {}
+	var prediction: WalkerPrediction = _source.prediction
+	var place: Vector3 = prediction.mover.get_position()
+	var rows: Dictionary = {
+		"tick": prediction.tick,
+		"corrections": prediction.corrections,
+		"pull_m_p99": prediction.pulls.percentile(0.99),
+		"position": [place.x, place.y, place.z],
+		"mode": prediction.mover.get_mode(),
+	}
+	return {"walking": rows}
+
+
+func close() -> void:
+	if _source != null:
+		_bodies.remove_mover(_source.prediction.mover)
+		ClientPhysics.release()
+		Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+		_source = null
+
+
+func _find_source() -> WalkerSource:
+	if context.people == null or context.people.count() == 0:
+		return null
+	var found: WalkerSource = context.people.source_of(0) as WalkerSource
+	if found != null:
+		_bodies.add_mover(found.prediction.mover, context.scene.get_world_3d().space)
+		found.read_input = _controls.read
+		found.due_tick = _due_tick
+		found.send = _send
+		ClientPhysics.hold()
+	return found
+
+
+## Finds the person's own entity, whose command an input is.
+func _meet_actor() -> void:
+	var actor: int = context.people.first_actor
+	if actor == _actor:
+		if actor >= 0:
+			var heading: float = context.scene.replica.ground_heading(actor)
+			_source.frame_heading = 0.0 if is_nan(heading) else heading
+		return
+	var node: Entity = context.scene.entities.find(actor) if actor >= 0 else null
+	_source.restart()
+	_source.schema = null
+	_actor = -1
+	if node != null:
+		var index: int = node.type.find_command(WalkerInput.COMMAND)
+		_actor = actor
+		if index >= 0:
+			_source.schema = node.type.commands[index]
+
+
+func _restart() -> void:
+	_actor = -1
+	if _source != null:
+		_source.restart()
+
+
+## The server's tick that a command reaches which leaves now, with its fraction.
+func _due_tick() -> float:
+	var replica: WorldReplica = context.scene.replica
+	if replica.tick_rate() <= 0.0 or replica.newest_tick < 0:
+		return -1.0
+	_source.tick_s = 1.0 / replica.tick_rate()
+	var trip_s: float = context.link.clock.round_trip_usec / 1e6
+	return (
+		(replica.smoother.server_time(context.now_s()) + trip_s) * replica.tick_rate()
+		+ MARGIN_TICKS
+	)
+
+
+func _send(p_input: WalkerInput, p_tick: int) -> void:
+	var node: Entity = context.scene.entities.find(_actor)
+	if node != null:
+		node.send_command(WalkerInput.COMMAND, p_input.to_values(), p_tick)
+
+
+func _on_walk(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
+	var message: WalkMessage = WalkMessage.decode(p_bytes)
+	if message == null:
+		return false
+	if _source == null or message.person != _actor:
+		return true
+	var begins: bool = _source.prediction.tick < 0
+	if not _source.correct(message.tick, message.number, message.state):
+		return false
+	if begins:
+		_controls.heading = _source.prediction.mover.get_heading()
+		if _controls.list != null:
+			_controls.list.begin(_controls.heading)
+	return true
+
+
+func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null and not p_row.is_person():
+		_bodies.add_body(p_row.id, p_body)

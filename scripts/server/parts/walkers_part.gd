@@ -1,0 +1,70 @@
+class_name WalkersPart
+extends ServerPart
+## People without a suit, who walk by keys or a stick: makes a [ServerWalker] of whoever sends the
+## command [code]walk[/code], and moves all of them.
+
+var _walkers: Dictionary[int, ServerWalker] = {}
+var _bodies: WalkerBodies = WalkerBodies.new()
+
+
+func open(p_context: ServerContext) -> String:
+	super(p_context)
+	context.people.person_added.connect(_on_person_added)
+	context.level.table.despawned.connect(func(row: EntityRow) -> void: _forget(row.id))
+	context.level.changed.connect(func() -> void: _bodies.set_level(context.level.level))
+	context.level.entity_added.connect(_on_entity_added)
+	return ""
+
+
+func advance(p_now_usec: int, p_delta_s: float) -> void:
+	if context.level.is_between:
+		return
+	for walker: ServerWalker in _walkers.values():
+		var message: PackedByteArray = walker.advance(context.tick, p_now_usec / 1e6, p_delta_s)
+		if not message.is_empty():
+			context.link.send_whole(walker.person.session, message)
+
+
+func report() -> Dictionary:
+	var rows: Array[Dictionary] = []
+	for walker: ServerWalker in _walkers.values():
+		(
+			rows
+			. append(
+				{
+					"name": walker.person.name,
+					"inputs": walker.inputs,
+					"corrections": walker.corrections,
+				}
+			)
+		)
+	return {"walkers": rows}
+
+
+func _on_person_added(p_person: ServerPerson) -> void:
+	if p_person.entity != null:
+		p_person.entity.commanded.connect(_on_commanded.bind(p_person))
+
+
+func _on_commanded(
+	p_session: int, p_command: StringName, p_values: PackedFloat32Array, p_person: ServerPerson
+) -> void:
+	# Anybody may send it, but only for the own people.
+	if p_command != WalkerInput.COMMAND or p_person.session != p_session:
+		return
+	if not _walkers.has(p_person.id):
+		var walker: ServerWalker = ServerWalker.new(p_person)
+		_bodies.add_mover(walker.mover, context.people.get_world_3d().space)
+		_walkers[p_person.id] = walker
+	_walkers[p_person.id].take(p_values)
+
+
+func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null and not p_row.is_person():
+		_bodies.add_body(p_row.id, p_body)
+
+
+func _forget(p_person: int) -> void:
+	if _walkers.has(p_person):
+		_bodies.remove_mover(_walkers[p_person].mover)
+		_walkers.erase(p_person)

@@ -1,0 +1,121 @@
+class_name ServerWalker
+extends RefCounted
+## Somebody who walks without a suit, at the server: makes a tick of each of the client's inputs,
+## and drives the person's body by the pose that comes of it. What the client says of its own state
+## is only compared.
+##
+## While physics has the body, which has fallen or is thrown, the walker follows the body, and goes
+## on when that stands.
+
+## How far the body may be held back from the walker, m: beyond that the walker waits for it.
+const MOST_TETHER_M: float = 0.3
+## Time without an input after which the walker stands still, s.
+const PATIENCE_S: float = 0.5
+
+## The person.
+var person: ServerPerson = null
+## What is moved.
+var mover: WalkerMover = WalkerMover.new()
+## Inputs that were used, and corrections that were sent.
+var inputs: int = 0
+var corrections: int = 0
+
+var _pose: WalkerPose = WalkerPose.new()
+var _input: WalkerInput = WalkerInput.new()
+var _is_fresh: bool = false
+var _silent_s: float = 0.0
+## Number of the newest correction.
+var _number: int = 0
+var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
+
+
+## Begins where the person's body stands.
+func _init(p_person: ServerPerson) -> void:
+	person = p_person
+	_root_mode = person.ragdoll.motor.root_mode
+	_pose.set_body(person.ragdoll.get_hip_height(), PackedFloat32Array())
+	var frame: Transform3D = person.ragdoll.motor.get_frame()
+	mover.place(frame * person.origin, frame.basis.get_euler().y)
+	_pose.restart(mover)
+
+
+## Takes the values of a command.
+func take(p_values: PackedFloat32Array) -> void:
+	_input = WalkerInput.of_values(p_values)
+	_is_fresh = true
+	inputs += 1
+
+
+## Makes a tick, before the motors are set. Returns a [WalkMessage] for the client, or no bytes.
+func advance(p_tick: int, p_now_s: float, p_delta_s: float) -> PackedByteArray:
+	_silent_s = 0.0 if _is_fresh else _silent_s + p_delta_s
+	if _silent_s > PATIENCE_S:
+		_input.wish = Vector2.ZERO
+		_input.jumps = false
+	_follow_body()
+	var differs: bool = _is_fresh and _input.check != mover.get_check()
+	_input.apply(mover, p_delta_s)
+	_push(p_tick, p_now_s, p_delta_s)
+	var is_due: bool = differs and _input.correction == _number
+	_is_fresh = false
+	if not is_due:
+		return PackedByteArray()
+	_number = (_number + 1) & 0xFF
+	corrections += 1
+	var message: WalkMessage = WalkMessage.new()
+	message.person = person.id
+	message.tick = p_tick
+	message.number = _number
+	message.state = mover.get_state()
+	return message.encode()
+
+
+## Gives the walker up to the body where physics has that, or where it is held back.
+func _follow_body() -> void:
+	var motor: RagdollMotor = person.ragdoll.motor
+	var is_down: bool = (
+		person.sitting != null
+		or motor.get_balance().get("phase", 0) != RagdollMotor.BALANCE_STANDING
+	)
+	if is_down:
+		mover.follow_body(_feet(), mover.get_heading())
+	elif mover.get_mode() == WalkerMover.BODY:
+		mover.place(_feet(), mover.get_heading())
+		_pose.restart(mover)
+	else:
+		var tether: Vector3 = motor.get_tether()
+		tether.y = 0.0
+		if mover.get_mode() == WalkerMover.WALK and tether.length() > MOST_TETHER_M:
+			mover.push(tether.limit_length(tether.length() - MOST_TETHER_M))
+	if person.sitting != null:
+		return
+	# Hands climb where feet find nothing.
+	var is_climbing: bool = mover.get_mode() in [WalkerMover.VAULT, WalkerMover.LADDER]
+	motor.root_mode = RagdollMotor.ROOT_SOFT if is_climbing else _root_mode
+
+
+## What is below the hips, m.
+func _feet() -> Vector3:
+	var hips: Vector3 = person.hips()
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		hips, hips + Vector3.DOWN * 2.0, PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	)
+	var hit: Dictionary = person.ragdoll.get_world_3d().direct_space_state.intersect_ray(ray)
+	return hit["position"] if not hit.is_empty() else hips + Vector3.DOWN * _pose.hip_height
+
+
+## Gives the body the pose of the tick's end, in the person's own frame.
+func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
+	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s)
+	sample.id = inputs & 0xFFFFFFFF
+	sample.time_usec = roundi((p_tick + 1) * p_delta_s * 1e6)
+	var frame: Transform3D = person.ragdoll.motor.get_frame()
+	if person.sitting != null:
+		# In a seat the motion goes nowhere.
+		frame = Transform3D(Rotations.yaw(mover.get_heading()), mover.get_position())
+	sample.root = (frame.affine_inverse() * sample.root - person.origin) / person.scale
+	if not frame.basis.is_equal_approx(Basis.IDENTITY):
+		var back: Quaternion = frame.basis.get_rotation_quaternion().inverse()
+		for limb: int in Limbs.COUNT:
+			sample.set_orientation(limb, back * sample.orientation(limb))
+	person.push_sample(sample, p_now_s, p_delta_s)

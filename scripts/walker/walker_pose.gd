@@ -1,0 +1,70 @@
+class_name WalkerPose
+extends RefCounted
+## The body of somebody who walks: poses out of a motion set ([MotionMatcher]) that go where the
+## mover goes, and look where the eyes do.
+
+## The motion set of everybody who has none of their own.
+const DEFAULT_SET: String = "res://assets/motion/walker.motionset"
+## How far a head turns from where the body faces, rad.
+const MOST_NECK: float = 1.2
+
+static var _set: MotionSet = null
+
+## Height of the hips, m.
+var hip_height: float = 0.95
+
+var _matcher: MotionMatcher = MotionMatcher.new()
+
+
+func _init() -> void:
+	if _set == null:
+		_set = MotionSet.new()
+		var fault: String = _set.load_file(DEFAULT_SET)
+		if fault != "":
+			Log.error("walker", fault)
+	_matcher.set_motion_set(_set)
+
+
+## Takes the size of the body: height of the hips, m, and lengths as [member PersonCard.lengths].
+func set_body(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
+	hip_height = p_hip_height
+	_matcher.set_body(p_hip_height, p_lengths)
+
+
+## Begins where the mover is.
+func restart(p_mover: WalkerMover) -> void:
+	_matcher.reset(p_mover.get_position(), p_mover.get_heading())
+
+
+## The pose after a tick, in the world: its root is where the hips are, m.
+func advance(p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float) -> PoseSample:
+	var velocity: Vector3 = p_mover.get_velocity()
+	_matcher.advance(
+		p_delta_s,
+		p_mover.get_position(),
+		velocity,
+		p_mover.get_heading(),
+		Vector3(p_input.wish.x, 0.0, p_input.wish.y),
+		p_input.heading,
+		stance_of(p_mover),
+		p_mover.is_grounded()
+	)
+	var sample: PoseSample = PoseSample.new()
+	sample.orientations = _matcher.get_orientations()
+	sample.root = _matcher.get_root()
+	var neck: float = angle_difference(p_mover.get_heading(), p_input.heading)
+	var face: float = p_mover.get_heading() + clampf(neck, -MOST_NECK, MOST_NECK)
+	if stance_of(p_mover) < 2:
+		var up: Quaternion = Quaternion(Vector3.RIGHT, -p_input.look * 0.7)
+		sample.set_orientation(Limbs.HEAD, Rotations.yaw(face) * up)
+	return sample
+
+
+## How the body is held: 0 stands, 1 crouches, 2 lies, 3 is on a ladder, 4 climbs over something.
+static func stance_of(p_mover: WalkerMover) -> int:
+	match p_mover.get_mode():
+		WalkerMover.LADDER:
+			return 3
+		WalkerMover.VAULT:
+			return 4
+	return p_mover.get_stance()

@@ -1,0 +1,104 @@
+class_name WalkerSource
+extends MotionSource
+## The motion of a client's user who has no suit and walks by keys or a stick
+## ([code]--source=walker[/code]): shown at once, as the client predicts it. The server is sent what
+## is wished, not the motion, and makes its own of it.
+
+## Distance between the tick that is due and the next one beyond which ticks are left out, or waited
+## for.
+const MAX_DRIFT: float = 1.5
+## Ticks whose moments are remembered.
+const _MEMORY: int = 128
+
+## Where the server will have it: ahead of its news.
+var prediction: WalkerPrediction = WalkerPrediction.new()
+## What hands wish: [code]func(delta_s: float) -> WalkerInput[/code]; not valid: nothing.
+var read_input: Callable = Callable()
+## The tick of the server that a command reaches which leaves now, with its fraction; below 0 while
+## that is not known: [code]func() -> float[/code].
+var due_tick: Callable = Callable()
+## Sends an input for a tick: [code]func(input: WalkerInput, tick: int) -> void[/code].
+var send: Callable = Callable()
+## The form of the command, by which inputs are rounded.
+var schema: EntitySchema = null
+## Length of a tick, s.
+var tick_s: float = 1.0 / 60.0
+## How the person's own frame is turned in the world, rad.
+var frame_heading: float = 0.0
+
+var _pose: WalkerPose = WalkerPose.new()
+var _scale: float = 1.0
+var _moments: Dictionary[int, int] = {}
+
+
+func needs_world() -> bool:
+	return true
+
+
+func is_sent() -> bool:
+	return false
+
+
+func describe() -> String:
+	return "a walker, by keys or a stick"
+
+
+## The body has hips of this height, m.
+func embody(p_hip_height: float) -> void:
+	_scale = p_hip_height / get_hip_height() if p_hip_height > 0.0 else 1.0
+	_pose.set_body(p_hip_height, PackedFloat32Array())
+
+
+## Begins anew: another server, or another body.
+func restart() -> void:
+	prediction.clear()
+	_moments.clear()
+
+
+## Takes the server's state after a tick. Returns false where that is none.
+func correct(p_tick: int, p_number: int, p_state: PackedByteArray) -> bool:
+	var begins: bool = prediction.tick < 0
+	if not prediction.correct(p_tick, p_number, p_state, tick_s):
+		return false
+	if begins:
+		_pose.restart(prediction.mover)
+	return true
+
+
+## When a tick was shown here first: µs of Unix time; -1: it was not.
+func moment_of(p_tick: int) -> int:
+	return _moments.get(p_tick, -1)
+
+
+func _read(p_time_usec: int) -> PoseSample:
+	if not read_input.is_valid() or schema == null:
+		return null
+	var due: float = due_tick.call()
+	if due < 0.0:
+		return null
+	var next: int = prediction.tick + 1
+	if prediction.tick < 0 or absf(due - next) > MAX_DRIFT:
+		next = roundi(due)
+	if next <= prediction.tick:
+		return null
+	var input: WalkerInput = (read_input.call(tick_s) as WalkerInput).rounded(schema)
+	input.check = prediction.mover.get_check()
+	input.correction = prediction.correction
+	send.call(input, next)
+	if prediction.tick < 0:
+		return null
+	prediction.advance(next, input, tick_s)
+	_moments[next] = p_time_usec
+	_moments.erase(next - _MEMORY)
+	return _sample(input)
+
+
+## The pose in the person's own frame, at the wearer's size.
+func _sample(p_input: WalkerInput) -> PoseSample:
+	var sample: PoseSample = _pose.advance(prediction.mover, p_input, tick_s)
+	var back: Quaternion = Rotations.yaw(-frame_heading)
+	sample.root = back * (sample.root + prediction.offset) / _scale
+	if absf(frame_heading) > 1e-4:
+		for limb: int in Limbs.COUNT:
+			sample.set_orientation(limb, back * sample.orientation(limb))
+	return sample
