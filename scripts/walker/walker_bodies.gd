@@ -1,7 +1,7 @@
 class_name WalkerBodies
 extends RefCounted
-## The bodies of a level as walkers meet them: which carry, which are ladders, and which are so light
-## that a person pushes them. Server and client find the same ones.
+## The bodies of a level as walkers meet them: which carry, which are ladders, and which are so
+## light that a person pushes them. Server and client find the same ones.
 
 ## Loose bodies below this weight are passed through by movers: there the person's own body, which
 ## follows, pushes and is held back, kg.

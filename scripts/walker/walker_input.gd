@@ -9,6 +9,9 @@ extends RefCounted
 ## Name of the command.
 const COMMAND: StringName = &"walk"
 
+## Numbers of corrections wrap at this.
+const CORRECTIONS: int = 16
+
 const _JUMPS: int = 4
 
 ## Wished velocity along +X and +Z of the world, m/s.
@@ -23,14 +26,14 @@ var stance: WalkerMover.Stance = WalkerMover.STAND
 var jumps: bool = false
 ## [method WalkerMover.get_check] of the state that the client has before this tick.
 var check: int = 0
-## Number of the newest correction that the client has taken, 0 to 255.
+## Number of the newest correction that the client has taken, below [constant CORRECTIONS].
 var correction: int = 0
 
 
 ## Reads the values of a command.
 static func of_values(p_values: PackedFloat32Array) -> WalkerInput:
 	var input: WalkerInput = WalkerInput.new()
-	if p_values.size() < 7:
+	if p_values.size() < 6:
 		return input
 	input.wish = Vector2(p_values[0], p_values[1])
 	input.heading = p_values[2]
@@ -38,15 +41,15 @@ static func of_values(p_values: PackedFloat32Array) -> WalkerInput:
 	var moves: int = int(p_values[4])
 	input.stance = mini(moves & 3, WalkerMover.PRONE) as WalkerMover.Stance
 	input.jumps = moves & _JUMPS != 0
+	input.correction = moves >> 4
 	input.check = int(p_values[5])
-	input.correction = int(p_values[6])
 	return input
 
 
 ## The values of the command.
 func to_values() -> PackedFloat32Array:
-	var moves: int = stance | (_JUMPS if jumps else 0)
-	return [wish.x, wish.y, heading, look, moves, check, correction]
+	var moves: int = stance | (_JUMPS if jumps else 0) | correction << 4
+	return [wish.x, wish.y, heading, look, moves, check]
 
 
 ## What the server makes of it when it comes as a command of this form.

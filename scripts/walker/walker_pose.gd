@@ -41,7 +41,7 @@ func advance(p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float) -> Po
 	var velocity: Vector3 = p_mover.get_velocity()
 	_matcher.advance(
 		p_delta_s,
-		p_mover.get_position(),
+		p_mover.get_position() + Vector3.DOWN * p_mover.get_lift(),
 		velocity,
 		p_mover.get_heading(),
 		Vector3(p_input.wish.x, 0.0, p_input.wish.y),

@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/physics_server3d.hpp>
 
 #include <algorithm>
+#include <tuple>
 
 namespace godot {
 
@@ -15,6 +16,13 @@ constexpr double MARGIN = 0.001; // m
 
 PhysicsServer3D *server() {
 	return PhysicsServer3D::get_singleton();
+}
+
+bool comes_first(const mover::Contact &p_one, const mover::Contact &p_other) {
+	const auto key = [](const mover::Contact &p_contact) {
+		return std::make_tuple(-p_contact.normal.y, p_contact.carrier, p_contact.normal.x, p_contact.normal.z);
+	};
+	return key(p_one) < key(p_other);
 }
 
 } // namespace
@@ -106,6 +114,8 @@ void BodySurroundings::sweep(
 		contact.carrier = carrier == _numbers.end() ? 0 : carrier->second;
 		contact.is_ladder = _ladders.count(collider) != 0;
 	}
+	// The engine lists what is equally near in an order that depends on what has moved before.
+	std::sort(r_sweep.contacts.begin(), r_sweep.contacts.begin() + r_sweep.count, comes_first);
 }
 
 bool BodySurroundings::find_frame(std::uint32_t p_carrier, mover::Frame &r_frame) const {

@@ -113,6 +113,7 @@ void WalkerMover::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_position"), &WalkerMover::get_position);
 	ClassDB::bind_method(D_METHOD("get_velocity"), &WalkerMover::get_velocity);
 	ClassDB::bind_method(D_METHOD("get_heading"), &WalkerMover::get_heading);
+	ClassDB::bind_method(D_METHOD("get_lift"), &WalkerMover::get_lift);
 	ClassDB::bind_method(D_METHOD("get_stance"), &WalkerMover::get_stance);
 	ClassDB::bind_method(D_METHOD("get_mode"), &WalkerMover::get_mode);
 	ClassDB::bind_method(D_METHOD("is_grounded"), &WalkerMover::is_grounded);

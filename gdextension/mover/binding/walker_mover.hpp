@@ -47,6 +47,7 @@ public:
 	Vector3 get_position() const;
 	Vector3 get_velocity() const;
 	double get_heading() const { return double(_state.heading); }
+	double get_lift() const { return double(_state.lift); }
 	int64_t get_stance() const { return int64_t(_state.stance); }
 	int64_t get_mode() const { return int64_t(_state.mode); }
 	bool is_grounded() const { return _state.is_grounded != 0; }

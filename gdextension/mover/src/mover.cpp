@@ -14,6 +14,7 @@ constexpr float LEAST = 1e-5f; // m
 constexpr float FULL_TURN = 6.28318530718f;
 constexpr float TOUCH = 0.02f; // m below the feet that still count as standing.
 constexpr float AHEAD = 0.05f; // m that a step is tried ahead: less would not get over its edge.
+constexpr float EDGE = 0.06f; // m that a foot is moved further onto an edge, to see what that is.
 constexpr float REACH = 0.45f; // m ahead in which something can be climbed.
 constexpr float LADDER_REACH = 0.12f; // m
 constexpr float VAULT_S = 0.35f; // Duration of a vault, and what each metre of height adds.
@@ -61,6 +62,12 @@ Vec3 facing(float p_heading) {
 float yaw_of(const Quat &p_turn) {
 	const Vec3 ahead = p_turn.rotate({ 0.0f, 0.0f, 1.0f });
 	return std::atan2(ahead.x, ahead.z);
+}
+
+State at_step(const State &p_state, const Vec3 &p_position) {
+	State state = p_state;
+	state.position = p_position;
+	return state;
 }
 
 const Contact *floor_among(const Sweep &p_sweep) {
@@ -124,6 +131,8 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 			}
 		}
 	}
+	const float most = ability.climb * p_delta;
+	r_state.lift -= std::clamp(r_state.lift, -most, most);
 	Frame frame;
 	if (r_state.carrier != 0 && _surroundings.find_frame(r_state.carrier, frame)) {
 		r_state.local = frame.turn.inverse().rotate(r_state.position - frame.origin);
@@ -177,11 +186,13 @@ Vec3 Mover::_wished_velocity(const State &p_state, const Wish &p_wish) const {
 		return {};
 	}
 	const float ahead = wished.dot(facing(p_state.heading)) / speed;
-	const float share = ability.speed_back + (1.0f - ability.speed_back) * std::clamp(ahead * 1.5f, 0.0f, 1.0f);
+	float share = ability.speed_back + (1.0f - ability.speed_back) * std::clamp(ahead * 1.5f, 0.0f, 1.0f);
+	share *= std::clamp(1.0f - std::fabs(p_state.lift) / ability.most_lift, 0.1f, 1.0f);
 	return wished.limited(ability.speed[std::size_t(p_state.stance)] * share);
 }
 
 void Mover::_walk(State &r_state, const Vec3 &p_wish, float p_delta) const {
+	const float before = r_state.position.y;
 	const Vec3 motion = level(r_state.velocity) * p_delta;
 	if (motion.length() > LEAST) {
 		Sweep sweep;
@@ -195,13 +206,18 @@ void Mover::_walk(State &r_state, const Vec3 &p_wish, float p_delta) const {
 		}
 	}
 	Sweep below;
-	_surroundings.sweep(r_state.stance, r_state.position, DOWN * ability.snap, below);
-	if (floor_among(below) != nullptr) {
+	// Mostly the ground is right below: engines find what is near in fewer steps.
+	_surroundings.sweep(r_state.stance, r_state.position, DOWN * TOUCH, below);
+	if (!below.is_stopped) {
+		_surroundings.sweep(r_state.stance, r_state.position, DOWN * ability.snap, below);
+	}
+	if (_finds_floor(r_state, below)) {
 		r_state.position.y += below.travel.y;
 		_stand_on(r_state, below);
 	} else {
 		r_state.is_grounded = 0;
 	}
+	r_state.lift += r_state.position.y - before;
 }
 
 void Mover::_fly(State &r_state, float p_delta) const {
@@ -212,10 +228,35 @@ void Mover::_fly(State &r_state, float p_delta) const {
 	}
 	Sweep below;
 	_surroundings.sweep(r_state.stance, r_state.position, DOWN * TOUCH, below);
-	if (floor_among(below) != nullptr) {
+	if (_finds_floor(r_state, below)) {
 		r_state.velocity.y = 0.0f;
 		_stand_on(r_state, below);
 	}
+}
+
+/// Whether what stops a sweep downwards can be stood on. A foot whose rim is on the edge of a step meets it at a slant,
+/// as it would a slope that is too steep; a little further in it finds the step level, and the slope as steep as before.
+bool Mover::_finds_floor(const State &p_state, Sweep &r_below) const {
+	if (floor_among(r_below) != nullptr) {
+		return true;
+	}
+	const Vec3 stopped = p_state.position + r_below.travel;
+	for (int i = 0; i < r_below.count; i++) {
+		const Contact contact = r_below.contacts[std::size_t(i)];
+		if (contact.normal.y <= 0.05f) {
+			continue;
+		}
+		Sweep sweep;
+		_surroundings.sweep(p_state.stance, stopped + UP * EDGE, normalized(level(contact.normal)) * -EDGE, sweep);
+		const Vec3 further = stopped + UP * EDGE + sweep.travel;
+		_surroundings.sweep(p_state.stance, further, DOWN * (2.0f * EDGE), sweep);
+		if (floor_among(sweep) != nullptr) {
+			r_below.contacts = sweep.contacts;
+			r_below.count = sweep.count;
+			return true;
+		}
+	}
+	return false;
 }
 
 bool Mover::_step_up(State &r_state, const Vec3 &p_motion) const {
@@ -232,7 +273,7 @@ bool Mover::_step_up(State &r_state, const Vec3 &p_motion) const {
 		return false;
 	}
 	_surroundings.sweep(r_state.stance, raised + ahead, DOWN * ability.step, sweep);
-	if (floor_among(sweep) == nullptr) {
+	if (!_finds_floor(at_step(r_state, raised + ahead), sweep)) {
 		return false;
 	}
 	// As far as it was to go, at the height of what is ahead.

@@ -19,6 +19,9 @@ struct Ability {
 	/// What is stepped onto in walking, and how far feet are held to the ground that sinks, m.
 	float step = 0.35f;
 	float snap = 0.25f;
+	/// How fast the body gets up and down steps and slopes, m/s, and how far it may be behind its feet, m.
+	float climb = 1.6f;
+	float most_lift = 0.25f;
 	/// Upwards speed of a jump, m/s: 0.46 m high.
 	float jump = 3.0f;
 	/// What is climbed by hands, m.
@@ -45,6 +48,7 @@ private:
 	Vec3 _wished_velocity(const State &p_state, const Wish &p_wish) const;
 	void _walk(State &r_state, const Vec3 &p_wish, float p_delta) const;
 	void _fly(State &r_state, float p_delta) const;
+	bool _finds_floor(const State &p_state, Sweep &r_below) const;
 	bool _step_up(State &r_state, const Vec3 &p_motion) const;
 	void _slide(State &r_state, const Vec3 &p_motion, float p_delta) const;
 	bool _begin_vault(State &r_state, float p_reach) const;

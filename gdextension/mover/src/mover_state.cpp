@@ -37,6 +37,7 @@ void visit(T_STATE &r_state, T_NUMBER p_number, T_COUNT p_count) {
 	p_count(r_state.stance, STANCES);
 	p_count(r_state.mode, MODES);
 	p_count(r_state.has_jumped, 2);
+	p_number(r_state.lift);
 	p_number(r_state.time);
 	vector(r_state.from);
 	vector(r_state.to);

@@ -44,6 +44,9 @@ struct State {
 	Mode mode = Mode::WALK;
 	/// Whether the wish to jump lasts since an earlier tick: it counts once.
 	std::uint32_t has_jumped = 0;
+	/// How far the body is still below the feet's ground, as on a step that it has just got onto; above it where this
+	/// is below 0, m. Pictures and bodies rise by it, who climbs is slowed down by it.
+	float lift = 0.0f;
 	/// Of a vault: how long it lasts already, s, and from where to where it goes, m.
 	float time = 0.0f;
 	Vec3 from;
@@ -56,7 +59,7 @@ struct State {
 	float local_heading = 0.0f;
 
 	/// How many numbers it is.
-	static constexpr std::size_t WORDS = 26;
+	static constexpr std::size_t WORDS = 27;
 	using Words = std::array<std::uint32_t, WORDS>;
 	Words words() const;
 	/// Takes over numbers; returns false, and stays as it is, where they can be nobody's.

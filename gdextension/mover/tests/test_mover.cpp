@@ -151,7 +151,7 @@ TEST(a_ladder_leads_up_and_down_again) {
 	const float held = walker.state.position.y;
 	walker.walk(30, ahead(-1.5f));
 	CHECK(walker.state.position.y < held - 0.2f);
-	walker.walk(420, ahead(1.5f));
+	walker.walk(280, ahead(1.5f));
 	CHECK(walker.state.mode == Mode::WALK && std::fabs(walker.state.position.y - 3.0f) < 0.01f);
 	CHECK(walker.state.position.z > 1.0f);
 }

@@ -1,7 +1,7 @@
 class_name ClientWalker
 extends ClientPart
-## Lets this client's user walk by keys, mouse or gamepad where [code]--source=walker[/code] says so:
-## sends what is wished, takes the server's corrections, and looks where the eyes do.
+## Lets this client's user walk by keys, mouse or gamepad where [code]--source=walker[/code] says
+## so: sends what is wished, takes the server's corrections, and looks where the eyes do.
 
 ## Margin with which inputs arrive before their tick, ticks: the variation of the network.
 const MARGIN_TICKS: float = 2.5

@@ -3,9 +3,10 @@ extends RefCounted
 ## The last commands of a client as bytes: client to server, fast path. Each command is sent at once
 ## and again with the next ones, so that one that gets lost comes with a later datagram.
 ##
-## Little-endian: u8 message; u16 number of the newest command; u8 count, 1 to 8, the newest last;
-## of each: u32 the server's tick that it is meant for, u16 entity, u8 which of its type's commands,
-## u8 size, its values as in [method EntitySchema.encode].
+## Little-endian: u8 message; u16 number of the newest command; u8 count, 1 to 8, the newest last; of
+## each u8 1 if it is the same command as the one before, of the same entity and size, a tick later:
+## then only its values follow. Else u8 0, u32 the server's tick that it is meant for, u16 entity, u8
+## which of its type's commands, u8 size, its values as in [method EntitySchema.encode].
 
 ## Maximum of commands in a datagram.
 const MAX_REPEATED: int = 8
@@ -17,15 +18,20 @@ const MAX_BYTES: int = 128
 static func encode(p_commands: Array[EntityCommand]) -> PackedByteArray:
 	var bytes: PackedByteArray = [Protocol.Message.COMMAND, 0, 0, p_commands.size()]
 	bytes.encode_u16(1, p_commands[-1].number)
+	var before: EntityCommand = null
 	for command: EntityCommand in p_commands:
-		var head: PackedByteArray = []
-		head.resize(8)
-		head.encode_u32(0, command.tick)
-		head.encode_u16(4, command.entity)
-		head.encode_u8(6, command.command)
-		head.encode_u8(7, command.bytes.size())
-		bytes.append_array(head)
+		if before != null and _goes_on(before, command):
+			bytes.append(1)
+		else:
+			var head: PackedByteArray = []
+			head.resize(9)
+			head.encode_u32(1, command.tick)
+			head.encode_u16(5, command.entity)
+			head.encode_u8(7, command.command)
+			head.encode_u8(8, command.bytes.size())
+			bytes.append_array(head)
 		bytes.append_array(command.bytes)
+		before = command
 	return bytes
 
 
@@ -37,13 +43,22 @@ static func decode(p_bytes: PackedByteArray) -> Array[EntityCommand]:
 	var count: int = reader.read_u8()
 	if count < 1 or count > MAX_REPEATED:
 		return []
+	var size: int = 0
 	for index: int in count:
 		var command: EntityCommand = EntityCommand.new()
 		command.number = (newest - (count - 1 - index)) & 0xFFFF
-		command.tick = reader.read_u32()
-		command.entity = reader.read_u16()
-		command.command = reader.read_u8()
-		var size: int = reader.read_u8()
+		var goes_on: int = reader.read_u8()
+		if goes_on > 1 or (goes_on == 1 and index == 0):
+			return []
+		if goes_on == 1:
+			command.tick = (commands[-1].tick + 1) & 0xFFFFFFFF
+			command.entity = commands[-1].entity
+			command.command = commands[-1].command
+		else:
+			command.tick = reader.read_u32()
+			command.entity = reader.read_u16()
+			command.command = reader.read_u8()
+			size = reader.read_u8()
 		if size > MAX_BYTES:
 			return []
 		command.bytes = reader.read_bytes(size)
@@ -51,3 +66,12 @@ static func decode(p_bytes: PackedByteArray) -> Array[EntityCommand]:
 	if not reader.is_complete():
 		commands.clear()
 	return commands
+
+
+static func _goes_on(p_before: EntityCommand, p_command: EntityCommand) -> bool:
+	return (
+		p_command.tick == p_before.tick + 1
+		and p_command.entity == p_before.entity
+		and p_command.command == p_before.command
+		and p_command.bytes.size() == p_before.bytes.size()
+	)

@@ -74,7 +74,7 @@ enum Notice {
 ## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
 const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 7
+const VERSION: int = 8
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server by default.

@@ -3,17 +3,17 @@ extends RefCounted
 ## Where the server has somebody who walks without a suit, as bytes: to that person's client, where
 ## its own ticks came to something else.
 ##
-## Little-endian: u8 message, u16 entity of the person, u32 tick after which the state is so, u8 number
-## of the correction, then the state as [method WalkerMover.get_state] has it.
+## Little-endian: u8 message, u16 entity of the person, u32 tick after which the state is so, u8
+## number of the correction, then the state as [method WalkerMover.get_state] has it.
 
 ## Bytes of a state.
-const STATE_BYTES: int = 104
+const STATE_BYTES: int = 108
 
 ## Entity of the person.
 var person: int = 0
 ## The tick after which the state is so.
 var tick: int = 0
-## Counts the corrections of a person; wraps at 256.
+## Counts the corrections of a person; wraps at 16.
 var number: int = 0
 ## See [method WalkerMover.get_state].
 var state: PackedByteArray = PackedByteArray()

@@ -60,7 +60,7 @@ func advance(p_tick: int, p_now_s: float, p_delta_s: float) -> PackedByteArray:
 	_is_fresh = false
 	if not is_due:
 		return PackedByteArray()
-	_number = (_number + 1) & 0xFF
+	_number = (_number + 1) % WalkerInput.CORRECTIONS
 	corrections += 1
 	var message: WalkMessage = WalkMessage.new()
 	message.person = person.id
