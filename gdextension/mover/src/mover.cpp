@@ -14,6 +14,7 @@ constexpr float LEAST = 1e-5f; // m
 constexpr float FULL_TURN = 6.28318530718f;
 constexpr float TOUCH = 0.02f; // m below the feet that still count as standing.
 constexpr float AHEAD = 0.05f; // m that a step is tried ahead: less would not get over its edge.
+constexpr float GRID = 4096.0f; // Steps in a metre, and in a metre a second.
 constexpr float EDGE = 0.06f; // m that a foot is moved further onto an edge, to see what that is.
 constexpr float REACH = 0.45f; // m ahead in which something can be climbed.
 constexpr float LADDER_REACH = 0.12f; // m
@@ -57,6 +58,11 @@ Vec3 approached(const Vec3 &p_from, const Vec3 &p_to, float p_step) {
 
 Vec3 facing(float p_heading) {
 	return { std::sin(p_heading), 0.0f, std::cos(p_heading) };
+}
+
+Vec3 rounded(const Vec3 &p_vector) {
+	const auto number = [](float p_number) { return std::round(p_number * GRID) / GRID; };
+	return { number(p_vector.x), number(p_vector.y), number(p_vector.z) };
 }
 
 float yaw_of(const Quat &p_turn) {
@@ -133,6 +139,10 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 	}
 	const float most = ability.climb * p_delta;
 	r_state.lift -= std::clamp(r_state.lift, -most, most);
+	// What pushes a walker out of itself comes to sums that differ in the last bits, by the order in which an engine
+	// lists it.
+	r_state.position = rounded(r_state.position);
+	r_state.velocity = rounded(r_state.velocity);
 	Frame frame;
 	if (r_state.carrier != 0 && _surroundings.find_frame(r_state.carrier, frame)) {
 		r_state.local = frame.turn.inverse().rotate(r_state.position - frame.origin);
