@@ -120,6 +120,10 @@ String MotionMatcher::get_clip_name() const {
 	return String(_core.clip_name());
 }
 
+double MotionMatcher::get_clip_frame() const {
+	return _core.clip_frame();
+}
+
 int64_t MotionMatcher::get_searches() const {
 	return _core.searches();
 }
@@ -149,6 +153,7 @@ void MotionMatcher::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("get_heel", "side"), &MotionMatcher::get_heel);
 	ClassDB::bind_method(D_METHOD("is_planted", "side"), &MotionMatcher::is_planted);
 	ClassDB::bind_method(D_METHOD("get_clip_name"), &MotionMatcher::get_clip_name);
+	ClassDB::bind_method(D_METHOD("get_clip_frame"), &MotionMatcher::get_clip_frame);
 	ClassDB::bind_method(D_METHOD("get_searches"), &MotionMatcher::get_searches);
 	ClassDB::bind_method(D_METHOD("copy"), &MotionMatcher::copy);
 	BIND_ENUM_CONSTANT(STAND);

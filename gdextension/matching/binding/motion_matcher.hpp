@@ -31,6 +31,7 @@ public:
 	Vector3 get_heel(int64_t p_side) const;
 	bool is_planted(int64_t p_side) const;
 	String get_clip_name() const;
+	double get_clip_frame() const;
 	int64_t get_searches() const;
 	Ref<MotionMatcher> copy() const;
 

@@ -9,20 +9,22 @@ namespace matching {
 namespace {
 
 /// Half the width of the window over which the way is averaged, frames: more than half a step of a slow walk.
-constexpr int HALF_WINDOW = 24;
-/// Feet that stand: at most so much above where they are at their lowest, m, and so fast, m/s, or this share of the
+constexpr std::size_t HALF_WINDOW = 24;
+/// Feet that stand: at most so much above where they are at their lowest nearby, m, and so fast, m/s, or this share of the
 /// person's own speed.
 constexpr float STANDING_HEIGHT = 0.035f;
 constexpr float STANDING_SPEED = 0.35f;
 constexpr float STANDING_SHARE = 0.25f;
 /// Shortest time that a foot stands or swings, frames: what is shorter is noise.
 constexpr int SHORTEST = 4;
+/// Over how many frames the height of the ground is averaged.
+constexpr float GROUND_WINDOW = 10.0f;
 
 /// A value beyond both ends goes on as it went: an average must not stop there.
 template <typename T>
 T extended(const std::vector<T> &p_values, int p_at) {
 	const int last = int(p_values.size()) - 1;
-	const int reach = std::min(HALF_WINDOW * 2, last);
+	const int reach = std::min(2 * int(HALF_WINDOW), last);
 	if (p_at < 0) {
 		return p_values[0] - (p_values[std::size_t(reach)] - p_values[0]) * (float(-p_at) / float(std::max(reach, 1)));
 	}
@@ -39,7 +41,7 @@ std::vector<T> averaged(const std::vector<T> &p_values) {
 	for (int i = 0; i < int(p_values.size()); i++) {
 		T sum{};
 		float weights = 0.0f;
-		for (int k = -HALF_WINDOW; k <= HALF_WINDOW; k++) {
+		for (int k = -int(HALF_WINDOW); k <= int(HALF_WINDOW); k++) {
 			const float weight = 0.5f + 0.5f * std::cos(3.14159265f * float(k) / float(HALF_WINDOW + 1));
 			sum = sum + extended(p_values, i + k) * weight;
 			weights += weight;
@@ -49,7 +51,7 @@ std::vector<T> averaged(const std::vector<T> &p_values) {
 	return result;
 }
 
-/// Where a person goes: places of the hips on the ground and headings, averaged.
+/// Where a person goes: places of the hips on the ground and headings of the chest, averaged.
 struct Course {
 	std::vector<Vec3> places;
 	std::vector<float> headings;
@@ -60,9 +62,7 @@ Course find_course(const std::vector<RawFrame> &p_frames) {
 	std::vector<float> headings;
 	float before = 0.0f;
 	for (const RawFrame &frame : p_frames) {
-		const Vec3 front = frame.limbs[HIPS].rotate({ 0.0f, 0.0f, 1.0f }) +
-				frame.limbs[CHEST].rotate({ 0.0f, 0.0f, 1.0f });
-		before += wrapped(std::atan2(front.x, front.z) - before);
+		before += wrapped(heading_of(frame.limbs[CHEST]) - before);
 		headings.push_back(before);
 		hips.push_back({ frame.hips.x, 0.0f, frame.hips.z });
 	}
@@ -87,21 +87,44 @@ void clean(std::vector<bool> &r_values) {
 }
 
 std::vector<bool> find_contacts(const std::vector<Vec3> &p_balls, float p_speed) {
-	std::vector<float> heights;
-	for (const Vec3 &ball : p_balls) {
-		heights.push_back(ball.y);
-	}
-	std::sort(heights.begin(), heights.end());
-	const float ground = heights[heights.size() / 10];
 	const float limit = std::max(STANDING_SPEED, STANDING_SHARE * p_speed);
 	std::vector<bool> stands(p_balls.size());
 	for (std::size_t i = 0; i < p_balls.size(); i++) {
+		float lowest = p_balls[i].y;
+		const std::size_t end = std::min(i + HALF_WINDOW, p_balls.size());
+		for (std::size_t k = i > HALF_WINDOW ? i - HALF_WINDOW : 0; k < end; k++) {
+			lowest = std::min(lowest, p_balls[k].y);
+		}
 		const Vec3 step = p_balls[std::min(i + 1, p_balls.size() - 1)] - p_balls[i == 0 ? 0 : i - 1];
 		const float speed = std::hypot(step.x, step.z) * RATE * 0.5f;
-		stands[i] = p_balls[i].y < ground + STANDING_HEIGHT && speed < limit;
+		stands[i] = p_balls[i].y < lowest + STANDING_HEIGHT && speed < limit;
 	}
 	clean(stands);
 	return stands;
+}
+
+/// Height of the ground at each frame: where balls of feet stand. Few recordings are quite level.
+std::vector<float> find_ground(
+		const std::array<std::vector<Vec3>, 2> &p_balls, const std::array<std::vector<bool>, 2> &p_stands) {
+	std::vector<float> ground(p_balls[0].size());
+	for (std::size_t i = 0; i < ground.size(); i++) {
+		float sum = 0.0f;
+		float weights = 0.0f;
+		float lowest = p_balls[0][i].y;
+		for (std::size_t k = 0; k < ground.size(); k++) {
+			const float apart = (float(k) - float(i)) / GROUND_WINDOW;
+			for (std::size_t side = 0; side < 2; side++) {
+				lowest = std::min(lowest, p_balls[side][k].y);
+				// It falls off slowly: where nobody stands for long, the next one who does tells it.
+				const float width = 1.0f + apart * apart;
+				const float weight = p_stands[side][k] ? 1.0f / (width * width) : 0.0f;
+				sum += weight * p_balls[side][k].y;
+				weights += weight;
+			}
+		}
+		ground[i] = weights > 0.0f ? sum / weights : lowest;
+	}
+	return ground;
 }
 
 Vec3 in_way(const Vec3 &p_place, const Quat &p_back, const Vec3 &p_origin, float p_size) {
@@ -132,15 +155,17 @@ Clip build_clip(const std::vector<RawFrame> &p_frames, std::size_t p_first, std:
 	const Vec3 whole = way.places[end - 1] - way.places[p_first];
 	const float speed = whole.length() * RATE / float(end - p_first);
 	const std::array<std::vector<bool>, 2> stands{ find_contacts(balls[0], speed), find_contacts(balls[1], speed) };
+	const std::vector<float> ground = find_ground(balls, stands);
 	for (std::size_t i = p_first; i < end; i++) {
 		const std::size_t next = std::min(i + 1, p_frames.size() - 1);
 		const std::size_t last = i == 0 ? 0 : i - 1;
 		const float per_second = RATE / float(next - last);
 		const Quat back = turn_of(-way.headings[i]);
 		ClipFrame frame;
-		frame.pose.hips = in_way(poses[i].hips, back, way.places[i], p_body.hip_height);
+		const Vec3 origin{ way.places[i].x, ground[i], way.places[i].z };
+		frame.pose.hips = in_way(poses[i].hips, back, origin, p_body.hip_height);
 		for (std::size_t side = 0; side < 2; side++) {
-			frame.pose.ankles[side] = in_way(poses[i].ankles[side], back, way.places[i], p_body.hip_height);
+			frame.pose.ankles[side] = in_way(poses[i].ankles[side], back, origin, p_body.hip_height);
 			frame.contacts = uint8_t(frame.contacts | (stands[side][i] ? 1U << side : 0U));
 		}
 		for (std::size_t limb = 0; limb < LIMBS; limb++) {

@@ -20,6 +20,9 @@ constexpr float WALKING_TURN = 0.7f;
 constexpr float HURRY = 1.8f;
 /// A foot that comes down goes no faster, m/s.
 constexpr float LANDING_SPEED = 2.0f;
+/// A foot that moves so fast along the ground, m/s, is so far above it, m.
+constexpr float CLEAR_SPEED = 0.6f;
+constexpr float CLEARANCE = 0.028f;
 /// Lower than this a foot can land, m.
 constexpr float LANDING_HEIGHT = 0.03f;
 
@@ -86,6 +89,16 @@ void Footing::_swing(const Goals &p_goals, float p_delta, float p_size, std::siz
 	r_goal.ball.y = goal.ground + foot.height;
 }
 
+/// Keeps the sole above the ground, and clear of it while it moves: recorded feet pass it as near as they can.
+void Footing::_clear(float p_delta, const Goals &p_goals, Foot &r_foot, FootGoal &r_goal) {
+	const float speed = apart(r_goal.ball, r_foot.last) / p_delta;
+	const float wanted = r_foot.is_planted ? 0.0f : CLEARANCE * eased(speed / CLEAR_SPEED);
+	const float heel = r_goal.ball.y + r_goal.foot.rotate(p_goals.heel).y;
+	// Who stands on his heel has the ball above the ground.
+	r_goal.ball.y += std::max(r_goal.ground + wanted - std::min(heel, r_goal.ball.y), 0.0f);
+	r_foot.last = r_goal.ball;
+}
+
 void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 	const Goals goals = r_goals;
 	for (std::size_t side = 0; side < 2; side++) {
@@ -95,6 +108,7 @@ void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 			foot.is_known = true;
 			foot.is_planted = goal.stands && goals.is_grounded;
 			foot.place = goal.ball;
+			foot.last = goal.ball;
 			foot.heading = heading_of(goal.foot);
 			foot.length = LIFT_S;
 			foot.time = LIFT_S;
@@ -114,6 +128,7 @@ void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 			goal.foot = turn_of(turn) * goal.foot;
 			goal.ball = { foot.place.x, goal.ground + foot.height, foot.place.z };
 		}
+		_clear(p_delta, goals, foot, goal);
 	}
 }
 

@@ -20,6 +20,7 @@ public:
 	/// What the feet are to do now.
 	struct Goals {
 		std::array<FootGoal, 2> feet{};
+		Vec3 heel; ///< From the ball, in the foot's axes in the reset pose, m.
 		Vec3 velocity; ///< Of the person, m/s.
 		bool is_walking = false; ///< Whether the motion steps by itself.
 		bool is_grounded = true;
@@ -43,8 +44,10 @@ private:
 		float time = 0.0f;
 		float length = 0.0f; ///< Of the step, s.
 		float height = 0.0f; ///< Above the ground, m.
+		Vec3 last; ///< Where the ball was, m.
 	};
 
+	static void _clear(float p_delta, const Goals &p_goals, Foot &r_foot, FootGoal &r_goal);
 	void _lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) const;
 	bool _must_step(const Goals &p_goals, std::size_t p_side, float p_size) const;
 	void _swing(const Goals &p_goals, float p_delta, float p_size, std::size_t p_side, FootGoal &r_goal);

@@ -66,7 +66,7 @@ float crouch(float p_share, const Body &p_body, Pose &r_pose) {
 			r_pose.limbs[limb] = pitch(-0.8f * p_share) * r_pose.limbs[limb];
 		}
 	}
-	r_pose.hips.z -= 0.07f * p_body.hip_height * p_share;
+	r_pose.hips.z -= 0.045f * p_body.hip_height * p_share;
 	const float down = 0.34f * p_body.hip_height * p_share;
 	r_pose.hips.y -= down;
 	return down;

@@ -269,6 +269,7 @@ void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankl
 
 void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player::Sample &p_sample, Pose &r_pose) {
 	Footing::Goals goals;
+	goals.heel = _body.heel() - _body.ball();
 	goals.velocity = p_wish.velocity;
 	goals.is_walking = !_player.entry(*_set).stands;
 	goals.is_grounded = p_wish.is_grounded && _made_share <= 0.0f;
@@ -280,7 +281,6 @@ void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player
 		goal.ball.y += goal.ground - _origin.y;
 		goal.stands = p_sample.stands[side] || !goals.is_walking;
 	}
-	const std::array<FootGoal, 2> wanted = goals.feet;
 	_footing.advance(p_delta, _body.hip_height, goals);
 	std::array<Vec3, 2> ankles{};
 	for (std::size_t side = 0; side < 2; side++) {

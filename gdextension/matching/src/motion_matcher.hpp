@@ -46,6 +46,8 @@ public:
 	int searches() const { return _searches; }
 	/// The clip that is played, or an empty text.
 	const char *clip_name() const;
+	/// Where in the clip, frames.
+	float clip_frame() const { return _player.frame(); }
 
 private:
 	/// Follows a value smoothly.

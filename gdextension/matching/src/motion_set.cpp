@@ -102,6 +102,11 @@ bool MotionSet::has(Stance p_stance) const {
 			_families.begin(), _families.end(), [&](const Family &p_family) { return p_family.stance == p_stance; });
 }
 
+bool MotionSet::has(Stance p_stance, bool p_stands) const {
+	return std::any_of(_families.begin(), _families.end(),
+			[&](const Family &p_family) { return p_family.stance == p_stance && p_family.stands == p_stands; });
+}
+
 int MotionSet::frame_count() const {
 	int count = 0;
 	for (const Entry &entry : _entries) {

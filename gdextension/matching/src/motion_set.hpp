@@ -51,6 +51,8 @@ public:
 	int row_of(const Place &p_place) const;
 	const Place &place_of(int p_row) const { return _places[std::size_t(p_row)]; }
 	bool has(Stance p_stance) const;
+	/// Whether there is somebody who stands, or goes, in a stance.
+	bool has(Stance p_stance, bool p_stands) const;
 	/// Number of frames, with those that were made.
 	int frame_count() const;
 	/// The features of a frame, not scaled.
