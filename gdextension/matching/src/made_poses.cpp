@@ -99,6 +99,8 @@ Pose prone(const Body &p_body, float p_travelled) {
 		const float own = side == 0 ? swing : -swing;
 		const float bend = 0.35f + 0.3f * own;
 		put_leg(side, -0.15f * bend, 0.25f * bend, 0.18f + 0.5f * std::max(bend, 0.0f), lying, pose);
+		// The toes point back.
+		pose.limbs[foot_of(side)] = pose.limbs[foot_of(side)] * pitch(1.35f);
 		put_arm(side, { 0.45f, -0.35f, 0.75f - 0.25f * own }, { -0.35f, -0.12f, 0.9f + 0.1f * own },
 				{ 0.2f, 1.0f, 0.2f }, pose);
 	}

@@ -22,8 +22,8 @@ constexpr float SLOWEST_RATE = 0.8f;
 constexpr float FASTEST_RATE = 1.2f;
 constexpr float LONGEST_STRIDE = 1.7f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
-constexpr float HIPS_SHARE = 0.35f;
-constexpr float MOST_HIPS = 0.5f;
+constexpr float HIPS_SHARE = 0.45f;
+constexpr float MOST_HIPS = 0.7f;
 /// Lean for an acceleration, rad for each m/s², and its most, rad.
 constexpr float LEAN = 0.022f;
 constexpr float MOST_LEAN = 0.14f;
@@ -263,7 +263,7 @@ void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankl
 	}
 	// Down at once, as a foot that stands would slip; up slowly.
 	const float up = std::exp2(-p_delta / 0.08f);
-	_drop = std::max(std::min(needed, 0.25f * _body.hip_height), _drop * up);
+	_drop = std::max(std::min(needed, 0.2f * _body.hip_height), _drop * up);
 	r_pose.hips.y -= _drop;
 }
 
@@ -294,6 +294,19 @@ void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player
 		const Vec3 front = goals.feet[side].foot.rotate({ 0.0f, 0.0f, 1.0f });
 		r_pose.ankles[side] = reach(joint, ankles[side], _body.thigh, _body.shank, front,
 				r_pose.limbs[thigh_of(side)], r_pose.limbs[thigh_of(side) + 1]);
+	}
+}
+
+void MotionMatcher::_keep_above_ground(const Wish &p_wish, Pose &r_pose) const {
+	float lowest = _origin.y;
+	for (std::size_t side = 0; side < 2; side++) {
+		r_pose.ankles[side] = ankle_of(_body, r_pose, side);
+		for (const Vec3 &sole : { _body.ball(), _body.heel() }) {
+			lowest = std::min(lowest, r_pose.ankles[side].y + r_pose.limbs[foot_of(side)].rotate(sole).y);
+		}
+	}
+	if (p_wish.is_grounded) {
+		r_pose.hips.y += _origin.y - lowest;
 	}
 }
 
@@ -339,6 +352,7 @@ void MotionMatcher::advance(float p_delta, const Wish &p_wish) {
 	_put_on_feet(p_delta, p_wish, sample, pose);
 	if (_made_share > 0.0f) {
 		pose = blend_poses(pose, _in_world(_made(p_wish, pose, _made_stance)), eased(_made_share));
+		_keep_above_ground(p_wish, pose);
 	}
 	_before = p_wish.velocity;
 	_pose = pose;

@@ -74,6 +74,7 @@ private:
 	Pose _made(const Wish &p_wish, const Pose &p_from, Stance p_stance) const;
 	void _put_on_feet(float p_delta, const Wish &p_wish, const Player::Sample &p_sample, Pose &r_pose);
 	void _lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankles, Pose &r_pose);
+	void _keep_above_ground(const Wish &p_wish, Pose &r_pose) const;
 	void _advance_stances(float p_delta, const Wish &p_wish);
 	Pose _in_world(const Pose &p_pose) const;
 
