@@ -36,8 +36,8 @@ void MotionMatcher::set_body(double p_hip_height, const PackedFloat32Array &p_le
 			length(matching::LEFT_LOWER_LEG), length(matching::LEFT_FOOT)));
 }
 
-void MotionMatcher::set_joints(double p_hip_height, const PackedVector3Array &p_joints_in_parent,
-		const PackedVector3Array &p_joints_in_limb) {
+void MotionMatcher::set_joints(
+		double p_hip_height, const PackedVector3Array &p_joints_in_parent, const PackedVector3Array &p_joints_in_limb) {
 	ERR_FAIL_COND_MSG(!(p_hip_height > 0.1 && p_hip_height < MAX_M), "A hip height is between 0.1 and 3 m.");
 	const int64_t limbs = int64_t(matching::LIMBS);
 	ERR_FAIL_COND_MSG(p_joints_in_parent.size() != limbs || p_joints_in_limb.size() != limbs,

@@ -14,7 +14,13 @@ class MotionMatcher : public RefCounted {
 	GDCLASS(MotionMatcher, RefCounted)
 
 public:
-	enum Stance { STAND, CROUCH, PRONE, LADDER, VAULT };
+	enum Stance {
+		STAND,
+		CROUCH,
+		PRONE,
+		LADDER,
+		VAULT
+	};
 
 	void set_motion_set(const Ref<MotionSet> &p_set);
 	void set_body(double p_hip_height, const PackedFloat32Array &p_lengths);

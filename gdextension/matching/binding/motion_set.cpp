@@ -46,8 +46,8 @@ PackedByteArray MotionSet::to_bytes() const {
 	return result;
 }
 
-void MotionSet::begin_body(double p_hip_height, const PackedVector3Array &p_hip_joints, double p_thigh,
-		double p_shank, double p_ankle_height, double p_foot) {
+void MotionSet::begin_body(double p_hip_height, const PackedVector3Array &p_hip_joints, double p_thigh, double p_shank,
+		double p_ankle_height, double p_foot) {
 	ERR_FAIL_COND_MSG(p_hip_joints.size() != 2, "There is a hip joint for each of two legs.");
 	for (const double length : { p_hip_height, p_thigh, p_shank, p_ankle_height, p_foot }) {
 		ERR_FAIL_COND_MSG(!(length > 0.0 && length < 3.0), "A length of a body is above 0 and below 3 m.");
@@ -195,8 +195,7 @@ void MotionSet::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("load_file", "path"), &MotionSet::load_file);
 	ClassDB::bind_method(D_METHOD("load_bytes", "bytes"), &MotionSet::load_bytes);
 	ClassDB::bind_method(D_METHOD("to_bytes"), &MotionSet::to_bytes);
-	ClassDB::bind_method(
-			D_METHOD("begin_body", "hip_height", "hip_joints", "thigh", "shank", "ankle_height", "foot"),
+	ClassDB::bind_method(D_METHOD("begin_body", "hip_height", "hip_joints", "thigh", "shank", "ankle_height", "foot"),
 			&MotionSet::begin_body);
 	ClassDB::bind_method(
 			D_METHOD("add_clip", "name", "stance", "hips", "orientations", "first", "end"), &MotionSet::add_clip);

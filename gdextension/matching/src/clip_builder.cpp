@@ -10,8 +10,8 @@ namespace {
 
 /// Half the width of the window over which the way is averaged, frames: more than half a step of a slow walk.
 constexpr std::size_t HALF_WINDOW = 24;
-/// Feet that stand: at most so much above where they are at their lowest nearby, m, and so fast, m/s, or this share of the
-/// person's own speed.
+/// Feet that stand: at most so much above where they are at their lowest nearby, m, and so fast, m/s, or this share of
+/// the person's own speed.
 constexpr float STANDING_HEIGHT = 0.035f;
 constexpr float STANDING_SPEED = 0.35f;
 constexpr float STANDING_SHARE = 0.25f;

@@ -17,7 +17,13 @@ constexpr std::size_t ROW = 32;
 using Features = std::array<float, ROW>;
 
 /// Where each part begins.
-enum FeaturePart : std::size_t { PLACES = 0, DIRECTIONS = 6, ANKLES = 12, ANKLE_VELOCITIES = 18, HIPS_VELOCITY = 24 };
+enum FeaturePart : std::size_t {
+	PLACES = 0,
+	DIRECTIONS = 6,
+	ANKLES = 12,
+	ANKLE_VELOCITIES = 18,
+	HIPS_VELOCITY = 24
+};
 
 /// How far ahead a way is compared, s.
 constexpr std::array<float, 3> AHEAD{ 1.0f / 3.0f, 2.0f / 3.0f, 1.0f };

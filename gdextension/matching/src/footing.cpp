@@ -45,6 +45,9 @@ void Footing::_lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) cons
 bool Footing::_must_step(const Goals &p_goals, std::size_t p_side, float p_size) const {
 	const Foot &foot = _feet[p_side];
 	const FootGoal &goal = p_goals.feet[p_side];
+	if (apart(foot.place - goal.foot.rotate(p_goals.ball), p_goals.hip_joints[p_side]) > p_goals.reach) {
+		return true;
+	}
 	const float far = apart(foot.place, goal.ball) / (p_size * (p_goals.is_walking ? WALKING_APART : STANDING_APART));
 	const float turned = std::fabs(wrapped(foot.heading - heading_of(goal.foot))) /
 			(p_goals.is_walking ? WALKING_TURN : STANDING_TURN);

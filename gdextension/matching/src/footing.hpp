@@ -20,6 +20,9 @@ public:
 	/// What the feet are to do now.
 	struct Goals {
 		std::array<FootGoal, 2> feet{};
+		std::array<Vec3, 2> hip_joints{}; ///< Where the legs begin, in the world, m.
+		float reach = 1.0f; ///< How far from there an ankle can be along the ground, m.
+		Vec3 ball; ///< From the ankle, in the foot's axes in the reset pose, m.
 		Vec3 heel; ///< From the ball, in the foot's axes in the reset pose, m.
 		Vec3 velocity; ///< Of the person, m/s.
 		bool is_walking = false; ///< Whether the motion steps by itself.

@@ -117,8 +117,8 @@ Pose ladder(const Body &p_body, float p_climbed) {
 	for (std::size_t side = 0; side < 2; side++) {
 		const float hand = side == 0 ? swing : -swing;
 		put_leg(side, -0.85f + 0.4f * hand, 0.15f - 0.3f * hand, 0.08f, {}, pose);
-		put_arm(side, { 0.3f, 0.15f + 0.45f * hand, 0.8f }, { -0.1f, 0.65f + 0.1f * hand, 0.6f },
-				{ 0.6f, 0.3f, -0.6f }, pose);
+		put_arm(side, { 0.3f, 0.15f + 0.45f * hand, 0.8f }, { -0.1f, 0.65f + 0.1f * hand, 0.6f }, { 0.6f, 0.3f, -0.6f },
+				pose);
 		pose.limbs[foot_of(side)] = pitch(-0.1f);
 	}
 	pose.hips = { 0.0f, 0.93f * p_body.hip_height, 0.0f };

@@ -12,7 +12,14 @@ namespace matching {
 constexpr float RATE = 60.0f;
 
 /// How somebody holds himself.
-enum Stance { STAND, CROUCH, PRONE, LADDER, VAULT, STANCES };
+enum Stance {
+	STAND,
+	CROUCH,
+	PRONE,
+	LADDER,
+	VAULT,
+	STANCES
+};
 
 /// A moment of a clip, in heights of the hips and seconds, in the frame of the person's way: its origin is on the
 /// ground where the hips are on average, its +Z is where he faces on average.

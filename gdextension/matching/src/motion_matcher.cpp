@@ -24,6 +24,8 @@ constexpr float LONGEST_STRIDE = 1.7f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
 constexpr float HIPS_SHARE = 0.45f;
 constexpr float MOST_HIPS = 0.7f;
+/// How far the hips are lowered at most for a foot that stands far away, heights of the hips.
+constexpr float MOST_DROP = 0.2f;
 /// Lean for an acceleration, rad for each m/s², and its most, rad.
 constexpr float LEAN = 0.022f;
 constexpr float MOST_LEAN = 0.14f;
@@ -263,18 +265,22 @@ void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankl
 	}
 	// Down at once, as a foot that stands would slip; up slowly.
 	const float up = std::exp2(-p_delta / 0.08f);
-	_drop = std::max(std::min(needed, 0.2f * _body.hip_height), _drop * up);
+	_drop = std::max(std::min(needed, MOST_DROP * _body.hip_height), _drop * up);
 	r_pose.hips.y -= _drop;
 }
 
 void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player::Sample &p_sample, Pose &r_pose) {
 	Footing::Goals goals;
+	goals.ball = _body.ball();
 	goals.heel = _body.heel() - _body.ball();
+	const float lowest = (1.0f - MOST_DROP) * _body.hip_height - _body.ankle_height;
+	goals.reach = std::sqrt(std::max(_body.leg() * _body.leg() - lowest * lowest, 0.04f));
 	goals.velocity = p_wish.velocity;
 	goals.is_walking = !_player.entry(*_set).stands;
 	goals.is_grounded = p_wish.is_grounded && _made_share <= 0.0f;
 	for (std::size_t side = 0; side < 2; side++) {
 		FootGoal &goal = goals.feet[side];
+		goals.hip_joints[side] = r_pose.hips + r_pose.limbs[HIPS].rotate(_body.hip_joints[side]);
 		goal.foot = r_pose.limbs[foot_of(side)];
 		goal.ball = r_pose.ankles[side] + goal.foot.rotate(_body.ball());
 		goal.ground = std::isfinite(p_wish.ground[side]) && p_wish.is_grounded ? p_wish.ground[side] : _origin.y;
@@ -292,8 +298,8 @@ void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player
 	for (std::size_t side = 0; side < 2; side++) {
 		const Vec3 joint = r_pose.hips + r_pose.limbs[HIPS].rotate(_body.hip_joints[side]);
 		const Vec3 front = goals.feet[side].foot.rotate({ 0.0f, 0.0f, 1.0f });
-		r_pose.ankles[side] = reach(joint, ankles[side], _body.thigh, _body.shank, front,
-				r_pose.limbs[thigh_of(side)], r_pose.limbs[thigh_of(side) + 1]);
+		r_pose.ankles[side] = reach(joint, ankles[side], _body.thigh, _body.shank, front, r_pose.limbs[thigh_of(side)],
+				r_pose.limbs[thigh_of(side) + 1]);
 	}
 }
 

@@ -65,8 +65,8 @@ void MotionSet::_sort_into_families() {
 	const auto key = [&](const Entry &p_entry) {
 		return int(p_entry.clip.stance) * 16 + (p_entry.stands ? 8 : sector(p_entry));
 	};
-	std::stable_sort(_entries.begin(), _entries.end(),
-			[&](const Entry &p_a, const Entry &p_b) { return key(p_a) < key(p_b); });
+	std::stable_sort(
+			_entries.begin(), _entries.end(), [&](const Entry &p_a, const Entry &p_b) { return key(p_a) < key(p_b); });
 	std::vector<Features> rows;
 	for (std::size_t i = 0; i < _entries.size(); i++) {
 		Entry &entry = _entries[i];
@@ -88,9 +88,10 @@ void MotionSet::_sort_into_families() {
 }
 
 int MotionSet::row_of(const Place &p_place) const {
-	const auto found = std::lower_bound(_places.begin(), _places.end(), p_place, [](const Place &p_a, const Place &p_b) {
-		return p_a.entry != p_b.entry ? p_a.entry < p_b.entry : p_a.frame < p_b.frame;
-	});
+	const auto found =
+			std::lower_bound(_places.begin(), _places.end(), p_place, [](const Place &p_a, const Place &p_b) {
+				return p_a.entry != p_b.entry ? p_a.entry < p_b.entry : p_a.frame < p_b.frame;
+			});
 	if (found != _places.end() && found->entry == p_place.entry) {
 		return int(found - _places.begin());
 	}

@@ -23,9 +23,7 @@ public:
 	/// Goes on; faster or slower by a rate. Returns false at the end of a clip: a search is due.
 	bool advance(const MotionSet &p_set, float p_delta, float p_rate);
 	Sample sample(const MotionSet &p_set, float p_ahead_s = 0.0f) const;
-	const MotionSet::Entry &entry(const MotionSet &p_set) const {
-		return p_set.entries()[std::size_t(_entry)];
-	}
+	const MotionSet::Entry &entry(const MotionSet &p_set) const { return p_set.entries()[std::size_t(_entry)]; }
 	int entry_index() const { return _entry; }
 	float frame() const { return _frame; }
 
