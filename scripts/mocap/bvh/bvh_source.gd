@@ -70,12 +70,27 @@ func describe() -> String:
 
 ## How long a round takes, s.
 func get_period() -> float:
-	return maxf(_length() - BLEND_S, _length() * 0.5)
+	return maxf(get_length() - BLEND_S, get_length() * 0.5)
+
+
+## How long the motion is that is played, s.
+func get_length() -> float:
+	return maxf(rig.clip.duration() - _skipped - _unplayed, 0.001)
+
+
+## The pose so many seconds after the beginning of the motion, played once.
+func pose_once(p_time_s: float) -> PoseSample:
+	var pose: PoseSample = PoseSample.new()
+	for limb: int in Limbs.COUNT:
+		pose.set_orientation(limb, _limb_rotation(limb, p_time_s))
+	pose.root = rig.hips_position(p_time_s + _skipped)
+	pose.root.y -= _floor
+	return pose
 
 
 ## The pose after so many seconds of playing.
 func pose_at(p_time_s: float) -> PoseSample:
-	var length: float = _length()
+	var length: float = get_length()
 	var period: float = get_period()
 	var time: float = fposmod(p_time_s, period)
 	# The last moments of a round are blended into the first ones of the next.
@@ -103,10 +118,6 @@ func _read(p_time_usec: int) -> PoseSample:
 	return pose_at(start_s + (p_time_usec - _begin_usec) / 1e6)
 
 
-func _length() -> float:
-	return maxf(rig.clip.duration() - _skipped - _unplayed, 0.001)
-
-
 func _limb_rotation(p_limb: int, p_time_s: float) -> Quaternion:
 	return rig.limb_rotation(p_limb, p_time_s + _skipped)
 
@@ -131,7 +142,7 @@ func _trim() -> void:
 ## way.
 func _find_seam() -> void:
 	_seam_signs.resize(Limbs.COUNT)
-	var middle: float = (_length() - get_period()) / 2.0
+	var middle: float = (get_length() - get_period()) / 2.0
 	for limb: int in Limbs.COUNT:
 		var beginning: Quaternion = _limb_rotation(limb, middle)
 		var same: float = beginning.dot(_limb_rotation(limb, get_period() + middle))

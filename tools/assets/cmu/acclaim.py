@@ -90,13 +90,16 @@ def read_motion(path: Path, root: Bone) -> list[Frame]:
     freedoms = {bone.name: len(bone.freedoms) for bone in bones_of(root)}
     freedoms[ROOT] = len(_ROOT_ORDER)
     frames: list[Frame] = []
+    # Some motions are cut out of longer ones, and keep those numbers.
+    first = 1
     for number, line in enumerate(path.read_text(encoding="latin-1").splitlines(), 1):
         name, *values = line.split("#")[0].split() or [""]
         if name == "" or name.startswith(":"):
             continue
         if name.isdigit():
-            if int(name) != len(frames) + 1:
-                raise AcclaimError(f"{path}:{number}: expected frame {len(frames) + 1}")
+            first = int(name) if not frames else first
+            if int(name) != first + len(frames):
+                raise AcclaimError(f"{path}:{number}: expected frame {first + len(frames)}")
             frames.append(Frame((0.0, 0.0, 0.0), {}))
         elif not frames or len(values) != freedoms.get(name):
             wanted = f"{freedoms.get(name)} numbers for it" if frames else "a frame's number first"

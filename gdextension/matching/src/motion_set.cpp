@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include "motion_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace matching {
+
+namespace {
+
+/// Directions that are told apart.
+constexpr float SECTOR = PI / 4.0f;
+/// Faster than this nobody is reversed, heights of the hips a second: a run backwards looks like none.
+constexpr float FASTEST_REVERSED = 1.9f;
+
+bool goes_back(const MotionSet::Entry &p_entry) {
+	return !p_entry.stands && std::fabs(p_entry.travel) > 0.625f * PI;
+}
+
+} // namespace
+
+MotionSet::MotionSet(std::vector<Clip> p_recorded) : _recorded(std::move(p_recorded)) {
+	for (std::size_t i = 0; i < _recorded.size(); i++) {
+		if (!_recorded[i].frames.empty()) {
+			_add(_recorded[i], int(i));
+			_add(mirror(_recorded[i]), int(i));
+		}
+	}
+	if (std::none_of(_entries.begin(), _entries.end(), goes_back)) {
+		const std::vector<Entry> forward = _entries;
+		for (const Entry &entry : forward) {
+			if (!entry.stands && entry.speed < FASTEST_REVERSED) {
+				_add(reverse(entry.clip), entry.recorded);
+			}
+		}
+	}
+	_sort_into_families();
+}
+
+void MotionSet::_add(Clip p_clip, int p_recorded) {
+	Entry entry;
+	entry.recorded = p_recorded;
+	float x = 0.0f;
+	float z = 0.0f;
+	for (const ClipFrame &frame : p_clip.frames) {
+		x += frame.velocity_x;
+		z += frame.velocity_z;
+		for (std::size_t side = 0; side < 2; side++) {
+			entry.rests[side] = entry.rests[side] + frame.pose.ankles[side];
+		}
+	}
+	const float count = float(p_clip.frames.size());
+	entry.speed = std::hypot(x, z) / count;
+	entry.stands = entry.speed < STANDING_SPEED;
+	entry.travel = entry.stands ? 0.0f : std::atan2(x, z);
+	for (Vec3 &rest : entry.rests) {
+		rest = rest * (1.0f / count);
+	}
+	entry.clip = std::move(p_clip);
+	_entries.push_back(std::move(entry));
+}
+
+void MotionSet::_sort_into_families() {
+	const auto sector = [](const Entry &p_entry) { return int(std::lround(p_entry.travel / SECTOR)) & 7; };
+	const auto key = [&](const Entry &p_entry) {
+		return int(p_entry.clip.stance) * 16 + (p_entry.stands ? 8 : sector(p_entry));
+	};
+	std::stable_sort(
+			_entries.begin(), _entries.end(), [&](const Entry &p_a, const Entry &p_b) { return key(p_a) < key(p_b); });
+	std::vector<Features> rows;
+	for (std::size_t i = 0; i < _entries.size(); i++) {
+		Entry &entry = _entries[i];
+		_features.push_back(features_of(entry.clip));
+		if (i == 0 || key(entry) != key(_entries[i - 1])) {
+			const int start = int(rows.size());
+			const float travel = entry.stands ? 0.0f : wrapped(float(sector(entry)) * SECTOR);
+			_families.push_back({ entry.clip.stance, entry.stands, travel, start, start });
+		}
+		entry.family = int(_families.size()) - 1;
+		const int frames = int(entry.clip.frames.size());
+		for (int frame = 0; frame < std::max(frames - LAST_FRAMES, 1); frame++) {
+			rows.push_back(_features[i][std::size_t(frame)]);
+			_places.push_back({ int(i), frame });
+		}
+		_families.back().end_row = int(rows.size());
+	}
+	_table.assign(rows);
+}
+
+int MotionSet::row_of(const Place &p_place) const {
+	const auto found =
+			std::lower_bound(_places.begin(), _places.end(), p_place, [](const Place &p_a, const Place &p_b) {
+				return p_a.entry != p_b.entry ? p_a.entry < p_b.entry : p_a.frame < p_b.frame;
+			});
+	if (found != _places.end() && found->entry == p_place.entry) {
+		return int(found - _places.begin());
+	}
+	return int(found - _places.begin()) - 1;
+}
+
+bool MotionSet::has(Stance p_stance) const {
+	return std::any_of(
+			_families.begin(), _families.end(), [&](const Family &p_family) { return p_family.stance == p_stance; });
+}
+
+bool MotionSet::has(Stance p_stance, bool p_stands) const {
+	return std::any_of(_families.begin(), _families.end(),
+			[&](const Family &p_family) { return p_family.stance == p_stance && p_family.stands == p_stands; });
+}
+
+int MotionSet::frame_count() const {
+	int count = 0;
+	for (const Entry &entry : _entries) {
+		count += int(entry.clip.frames.size());
+	}
+	return count;
+}
+
+const Features &MotionSet::features_at(const Place &p_place) const {
+	return _features[std::size_t(p_place.entry)][std::size_t(p_place.frame)];
+}
+
+} // namespace matching

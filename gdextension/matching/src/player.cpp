@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: MIT
+#include "player.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace matching {
+
+namespace {
+
+/// What it costs to turn a motion about the vertical, for each rad squared.
+constexpr float TURNING_COST = 0.5f;
+/// Motion is never turned by more, rad: from there on the opposite direction is nearer.
+constexpr float MOST_TURNING = 1.95f;
+/// What stays in favour of going on as before: changes of motion are seen.
+constexpr float GOING_ON = 0.35f;
+/// Frames of the same clip that are nearer than this are no other moment.
+constexpr float SAME_FRAMES = 12.0f;
+/// Who goes less far in a second stands, heights of the hips: nobody who stands is shown walking, nor the other way.
+constexpr float SHORTEST_WAY = 0.2f;
+
+} // namespace
+
+void Player::reset(const MotionSet &p_set) {
+	*this = Player();
+	for (const MotionSet::Family &family : p_set.families()) {
+		if (family.stance == STAND && family.stands) {
+			_entry = p_set.place_of(family.first_row).entry;
+		}
+	}
+}
+
+bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
+	const Stance stance = p_set.has(p_stance) ? p_stance : STAND;
+	const MotionSet::Place now{ _entry, int(_frame) };
+	const int own_family = entry(p_set).family;
+	const Features &current = p_set.features_at(now);
+	const bool goes = std::hypot(p_way.x[2], p_way.z[2]) > SHORTEST_WAY;
+	const float travel = std::atan2(p_way.x[2], p_way.z[2]);
+	const bool has_both = p_set.has(stance, false) && p_set.has(stance, true);
+	FeatureTable::Found best;
+	float own_cost = std::numeric_limits<float>::max();
+	for (std::size_t i = 0; i < p_set.families().size(); i++) {
+		const MotionSet::Family &family = p_set.families()[i];
+		if (family.stance != stance || (family.stands == goes && has_both)) {
+			continue;
+		}
+		const float turning = family.stands || !goes ? 0.0f : wrapped(travel - family.travel);
+		if (std::fabs(turning) > MOST_TURNING) {
+			continue;
+		}
+		Features row = current;
+		put_way(p_way, -turning, row);
+		p_set.table().scale(row);
+		const float extra = TURNING_COST * turning * turning;
+		if (int(i) == own_family) {
+			own_cost = p_set.table().cost(p_set.row_of(now), row) + extra;
+		}
+		FeatureTable::Found found = p_set.table().nearest(row, family.first_row, family.end_row, best.cost - extra);
+		if (found.row >= 0) {
+			best = { found.row, found.cost + extra };
+		}
+	}
+	const bool can_go_on =
+			entry(p_set).stands || _frame < float(entry(p_set).clip.frames.size()) - float(MotionSet::LAST_FRAMES);
+	if (best.row < 0 || (can_go_on && best.cost > own_cost - GOING_ON)) {
+		return false;
+	}
+	const MotionSet::Place &place = p_set.place_of(best.row);
+	const bool both_stand = entry(p_set).stands && p_set.entries()[std::size_t(place.entry)].stands;
+	if (both_stand || (place.entry == _entry && std::fabs(float(place.frame) - _frame) < SAME_FRAMES && can_go_on)) {
+		return false;
+	}
+	_entry = place.entry;
+	_frame = float(place.frame);
+	_direction = 1.0f;
+	return true;
+}
+
+float Player::_clamped(const MotionSet &p_set, float p_frame) const {
+	return std::clamp(p_frame, 0.0f, float(entry(p_set).clip.frames.size()) - 1.0f);
+}
+
+bool Player::advance(const MotionSet &p_set, float p_delta, float p_rate) {
+	const MotionSet::Entry &now = entry(p_set);
+	const float last = float(now.clip.frames.size()) - 1.0f;
+	_frame += p_delta * RATE * p_rate * _direction;
+	if (now.stands) {
+		if (_frame >= last || _frame <= 0.0f) {
+			_direction = _frame >= last ? -1.0f : 1.0f;
+		}
+		_frame = _clamped(p_set, _frame);
+		return true;
+	}
+	_frame = _clamped(p_set, _frame);
+	return _frame < last - 2.0f;
+}
+
+Player::Sample Player::sample(const MotionSet &p_set, float p_ahead_s) const {
+	const std::vector<ClipFrame> &frames = entry(p_set).clip.frames;
+	const float at = _clamped(p_set, _frame + p_ahead_s * RATE * _direction);
+	const std::size_t first = std::min(std::size_t(at), frames.size() - 2);
+	const float share = at - float(first);
+	const ClipFrame &from = frames[first];
+	const ClipFrame &to = frames[first + 1];
+	Sample sample;
+	sample.pose.hips = blend(from.pose.hips, to.pose.hips, share);
+	for (std::size_t side = 0; side < 2; side++) {
+		sample.pose.ankles[side] = blend(from.pose.ankles[side], to.pose.ankles[side], share);
+		sample.stands[side] = (((share < 0.5f ? from : to).contacts >> side) & 1U) != 0;
+	}
+	for (std::size_t limb = 0; limb < LIMBS; limb++) {
+		sample.pose.limbs[limb] = blend(from.pose.limbs[limb], to.pose.limbs[limb], share);
+	}
+	sample.velocity_x = from.velocity_x + (to.velocity_x - from.velocity_x) * share;
+	sample.velocity_z = from.velocity_z + (to.velocity_z - from.velocity_z) * share;
+	return sample;
+}
+
+} // namespace matching
