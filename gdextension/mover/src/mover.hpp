@@ -12,7 +12,7 @@ struct Ability {
 	std::array<float, STANCES> speed{ 5.5f, 1.6f, 0.6f };
 	float speed_back = 0.5f;
 	/// On the ground and in the air, m/s^2.
-	float acceleration = 9.0f;
+	float acceleration = 3.5f;
 	float air_acceleration = 2.0f;
 	/// How fast the body turns to where it is to face, rad/s.
 	float turn_rate = 9.0f;

@@ -26,6 +26,8 @@ var _is_fresh: bool = false
 var _silent_s: float = 0.0
 ## Number of the newest correction.
 var _number: int = 0
+## Where the pose of the last tick had the hips, m.
+var _hips: Vector3 = Vector3.ZERO
 var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
 
 
@@ -37,6 +39,7 @@ func _init(p_person: ServerPerson) -> void:
 	var frame: Transform3D = person.ragdoll.motor.get_frame()
 	mover.place(frame * person.origin, frame.basis.get_euler().y)
 	_pose.restart(mover)
+	_hips = person.hips()
 
 
 ## Takes the values of a command.
@@ -82,11 +85,11 @@ func _follow_body() -> void:
 	elif mover.get_mode() == WalkerMover.BODY:
 		mover.place(_feet(), mover.get_heading())
 		_pose.restart(mover)
-	else:
-		var tether: Vector3 = motor.get_tether()
-		tether.y = 0.0
-		if mover.get_mode() == WalkerMover.WALK and tether.length() > MOST_TETHER_M:
-			mover.push(tether.limit_length(tether.length() - MOST_TETHER_M))
+	elif mover.get_mode() == WalkerMover.WALK:
+		var behind: Vector3 = person.hips() - _hips
+		behind.y = 0.0
+		if behind.length() > MOST_TETHER_M:
+			mover.push(behind.limit_length(behind.length() - MOST_TETHER_M))
 	if person.sitting != null:
 		return
 	# Hands climb where feet find nothing.
@@ -107,6 +110,7 @@ func _feet() -> Vector3:
 ## Gives the body the pose of the tick's end, in the person's own frame.
 func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
 	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s)
+	_hips = sample.root
 	sample.id = inputs & 0xFFFFFFFF
 	sample.time_usec = roundi((p_tick + 1) * p_delta_s * 1e6)
 	var frame: Transform3D = person.ragdoll.motor.get_frame()

@@ -1,0 +1,78 @@
+extends RefCounted
+## A walker's body at the server, in physics: a person of [ServerPeople], driven by a [ServerWalker],
+## whose client agrees with the server. Godot's frame; m, s, rad.
+
+const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
+const TICK_S: float = 1.0 / 60.0
+
+## The walker, and its person.
+var walker: ServerWalker = null
+var person: ServerPerson = null
+## How far the body's hips are from the walker's feet, over the ground, m, in each tick.
+var distances: Statistics = Statistics.new()
+## How far the body faces from where the walker does, rad.
+var headings: Statistics = Statistics.new()
+## How fast feet move that are on the ground, m/s.
+var skates: Statistics = Statistics.new()
+## Ticks in which physics had the body.
+var down_ticks: int = 0
+## The tick that was made last.
+var tick: int = 0
+
+var _people: ServerPeople = ServerPeople.new()
+var _feet: PackedVector3Array = []
+
+
+## Somebody who stands at a place of a world.
+func _init(p_view: SubViewport, p_at: Vector3) -> void:
+	_people.scene = PERSON
+	_people.root_mode = RagdollMotor.ROOT_GROUNDED
+	_people.setup(EntityTable.new())
+	p_view.add_child(_people)
+	_people.enter([Transform3D(Basis.IDENTITY, p_at)])
+	_people.enlist(PersonCard.of("walker", 0.95), "walker")
+	_people.settle()
+	person = _people.list()[0]
+	person.stand_at(Transform3D(Basis.IDENTITY, p_at))
+	walker = ServerWalker.new(person)
+	walker.mover.enter(
+		p_view.find_world_3d().space, PhysicsLayers.STATIC | PhysicsLayers.PROPS
+	)
+
+
+## A tick, before the physics step, by what the user wishes.
+func advance(p_input: WalkerInput) -> void:
+	tick += 1
+	var now_s: float = tick * TICK_S
+	_people.measure()
+	_measure()
+	p_input.check = walker.mover.get_check()
+	walker.take(p_input.to_values())
+	walker.advance(tick, now_s, TICK_S)
+	_people.advance()
+	_people.drive(now_s, TICK_S)
+
+
+## Ends it.
+func free_all() -> void:
+	_people.queue_free()
+
+
+func _measure() -> void:
+	var is_down: bool = walker.mover.get_mode() == WalkerMover.BODY
+	down_ticks += int(is_down)
+	var limbs: Array[PhysicsBody3D] = person.ragdoll.get_limb_nodes()
+	var feet: PackedVector3Array = [
+		limbs[Limbs.LEFT_FOOT].global_position, limbs[Limbs.RIGHT_FOOT].global_position
+	]
+	if is_down or tick < 60:
+		_feet = feet
+		return
+	var apart: Vector3 = person.hips() - walker.mover.get_position()
+	distances.add(Vector2(apart.x, apart.z).length())
+	for foot: int in 2:
+		var low: float = feet[foot].y - walker.mover.get_position().y
+		if low < 0.07 and not _feet.is_empty():
+			var moved: Vector3 = (feet[foot] - _feet[foot]) / TICK_S
+			skates.add(Vector2(moved.x, moved.z).length())
+	_feet = feet
