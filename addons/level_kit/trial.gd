@@ -1,8 +1,6 @@
 @tool
 extends RefCounted
-## Starts a session on a level: a server, a trainee who moves by a clip, and an observer.
-
-const CLIP: String = "res://assets/motion/01_03.bvh"
+## Starts a session on a level: a server, a trainee who walks by keys, and an observer.
 
 
 ## Starts it. Returns what is told to people.
@@ -11,8 +9,7 @@ static func start(p_scene: String) -> String:
 	if LevelStore.path_of(name) != p_scene:
 		return "Only a level that lies in scenes/world/NAME/NAME.tscn can be tried."
 	var port: int = _find_port()
-	var clip: String = "--bvh=" + ProjectSettings.globalize_path(CLIP)
-	var trainee: int = _run(_window(1), ["--role=trainee", "--port=%d" % port, clip])
+	var trainee: int = _run(_window(1), ["--role=trainee", "--port=%d" % port])
 	var server: PackedStringArray = ["--role=server", "--port=%d" % port, "--world=" + name]
 	server.append("--end-with=%d" % trainee)
 	var is_started: bool = trainee > 0 and _run(["--headless"], server) > 0

@@ -1,9 +1,7 @@
 class_name EditorSession
 extends RefCounted
 ## What Play in the editor starts: a session on this machine, of a server without a window and of
-## the editor's window as a trainee who moves by a clip of ours.
-
-const _CLIP: String = "res://assets/motion/01_03.bvh"
+## the editor's window as a trainee who walks by its keys.
 
 
 ## Whether the editor has started the program, without saying as what.
@@ -24,8 +22,7 @@ static func begin() -> PackedStringArray:
 	if OS.create_process(OS.get_executable_path(), server) < 0:
 		Log.error("app", "no server could be started beside the editor's window")
 		return []
-	var clip: String = "--bvh=" + ProjectSettings.globalize_path(_CLIP)
-	return ["--role=trainee", "--port=%d" % port, clip]
+	return ["--role=trainee", "--port=%d" % port]
 
 
 ## A UDP port that nobody uses.

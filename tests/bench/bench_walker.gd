@@ -182,11 +182,14 @@ func _measure_network(p_course: WalkerCourse) -> void:
 	)
 	for input: WalkerInput in inputs:
 		line.advance(input)
-	var name: String = "%.0f +- %.0f ms, %.0f %% lost" % [
-		option("delay"), option("jitter"), option("loss") * 100.0
-	]
+	var name: String = (
+		"%.0f +- %.0f ms, %.0f %% lost"
+		% [option("delay"), option("jitter"), option("loss") * 100.0]
+	)
 	report.add(name, "corrections", line.prediction.corrections, "of %d" % inputs.size())
 	report.at_most(name, "frames later than offline", line.late_frames, "", 0.0)
 	report.at_most(name, "pull of a tick, 99 %", line.pulls.percentile(0.99) * 100.0, "cm", 2.0)
 	report.add(name, "largest pull", line.pulls.percentile(1.0) * 100.0, "cm")
-	report.at_most(name, "up, without headers", line.sent_bytes / line.seconds() / 1000.0, "kB/s", 8.0)
+	report.at_most(
+		name, "up, without headers", line.sent_bytes / line.seconds() / 1000.0, "kB/s", 8.0
+	)

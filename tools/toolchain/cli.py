@@ -30,7 +30,7 @@ from .console import Failure, say
 from .display import real_display
 from .godot import Godot
 from .nearest import check_options, suggest
-from .paths import CLIENT_BINARY, CLIPS, ROOT, SERVER_BINARY, user_path
+from .paths import CLIENT_BINARY, ROOT, SERVER_BINARY, user_path
 from .project import NATIVE, prepare
 from .stats import GOALS_MISSED, LEFT_OUT
 
@@ -39,8 +39,6 @@ FILES = ("bvh", "file", "report")
 # Whose options are all in their help; the roles' are checked by the program itself.
 CHECKED = ("bvh", "editor", "export", "options-doc", "package", "suit-emulator")
 CHECKED += ("motion-sender", "platform-watch", "xbus-decode")
-# What a trainee moves by who names no source of motion.
-CLIP = CLIPS / "01_01.bvh"
 
 
 def main(arguments: list[str]) -> int:
@@ -119,7 +117,6 @@ def _role(role: str, arguments: list[str]) -> NoReturn:
         check_options(f"./run {role}", arguments, help_texts.read(role))
     prepare(export=True)
     environment = {"PWD": str(user_path(""))}
-    environment["DISMOUNT_DEFAULT_BVH"] = os.environ.get("DISMOUNT_DEFAULT_BVH") or str(CLIP)
     command = [str(SERVER_BINARY if role == "server" else CLIENT_BINARY), "--no-header"]
     if role == "server" or not real_display():
         command.append("--headless")

@@ -121,7 +121,9 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 		}
 	} else {
 		_choose_stance(r_state, p_wish.stance);
-		const float rate = r_state.is_grounded != 0 ? ability.acceleration : ability.air_acceleration;
+		const bool brakes = wished.dot(r_state.velocity) < r_state.velocity.dot(r_state.velocity);
+		const float on_ground = brakes ? ability.braking : ability.acceleration;
+		const float rate = r_state.is_grounded != 0 ? on_ground : ability.air_acceleration;
 		const Vec3 along = approached(level(r_state.velocity), wished, rate * p_delta);
 		r_state.velocity = { along.x, r_state.velocity.y, along.z };
 		if (!begins_jump || r_state.is_grounded == 0 || !_begin_vault(r_state, REACH)) {
@@ -245,7 +247,8 @@ void Mover::_fly(State &r_state, float p_delta) const {
 }
 
 /// Whether what stops a sweep downwards can be stood on. A foot whose rim is on the edge of a step meets it at a slant,
-/// as it would a slope that is too steep; a little further in it finds the step level, and the slope as steep as before.
+/// as it would a slope that is too steep; a little further in it finds the step level, and the slope as steep as
+/// before.
 bool Mover::_finds_floor(const State &p_state, Sweep &r_below) const {
 	if (floor_among(r_below) != nullptr) {
 		return true;

@@ -11,8 +11,9 @@ struct Ability {
 	/// Highest speed ahead, of each stance, m/s; and its share sideways and backwards.
 	std::array<float, STANCES> speed{ 5.5f, 1.6f, 0.6f };
 	float speed_back = 0.5f;
-	/// On the ground and in the air, m/s^2.
+	/// On the ground, to get faster and to brake, and in the air, m/s^2: more, and the body would not come after.
 	float acceleration = 3.5f;
+	float braking = 6.0f;
 	float air_acceleration = 2.0f;
 	/// How fast the body turns to where it is to face, rad/s.
 	float turn_rate = 9.0f;

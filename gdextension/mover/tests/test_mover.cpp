@@ -55,7 +55,7 @@ TEST(who_wishes_to_walk_walks_and_stops) {
 	walker.walk(60, ahead(1.5f));
 	CHECK(walker.state.is_grounded == 1);
 	CHECK(std::fabs(walker.state.velocity.z - 1.5f) < 1e-3f);
-	CHECK(walker.state.position.z > 1.2f && walker.state.position.z < 1.5f);
+	CHECK(walker.state.position.z > 1.1f && walker.state.position.z < 1.5f);
 	walker.walk(30, Wish());
 	CHECK(walker.state.velocity.length() == 0.0f);
 }

@@ -76,10 +76,6 @@ func open(p_options: Options) -> String:
 	for number: int in _addresses.size():
 		if fault == "":
 			fault = _open_source(_addresses[number], number + 1)
-	if fault == "" and not _has_any() and not awaits_headset:
-		var short: String = "--bvh=FILE, --xbus or --suit-play"
-		var kinds: String = ", ".join(SourceAddress.describe_kinds())
-		return "a trainee needs a motion source: %s, or --source=KIND: %s" % [short, kinds]
 	return fault
 
 
@@ -214,13 +210,13 @@ func close() -> void:
 		_recorder.close()
 
 
-## The source where the options name none: a headset, or the default file.
+## The source where the options name none: a headset, or keys to walk by.
 func _find_default() -> Array[SourceAddress]:
 	var found: Array[SourceAddress] = []
 	if make_default.is_valid():
 		found.append(SourceAddress.parse("xr"))
-	elif not awaits_headset and _options.text("default-bvh") != "":
-		found.append(SourceAddress.parse("bvh:" + _options.text("default-bvh")))
+	elif not awaits_headset:
+		found.append(SourceAddress.parse("walker"))
 	return found
 
 

@@ -16,7 +16,9 @@ static func rows() -> Array[OptionRow]:
 			. text(
 				"source",
 				moving,
-				"motion from elsewhere; again, or with commas, for more (docs/sources.md): " + kinds
+				"motion from elsewhere; again, or with commas, for more (docs/sources.md); by default"
+				+ " you walk by keys: "
+				+ kinds
 			)
 			. or_more()
 			. shown_as("KIND[:ADDRESS]")
@@ -38,9 +40,6 @@ static func rows() -> Array[OptionRow]:
 		),
 		OptionRow.decimal(
 			"bvh-from", moving, 0.0, [0.0, 1e6], "moment of the motion files to begin at", "s"
-		),
-		OptionRow.file(
-			"default-bvh", moving, "motion file if no source is given; ./run gives one of ours"
 		),
 		OptionRow.flag("xbus", moving, "motion from the suit on this machine's USB ports"),
 		OptionRow.number("suit-rate", moving, 100, [10, 512], "samples of the suit", "per second"),

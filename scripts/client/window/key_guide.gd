@@ -19,6 +19,12 @@ const _VIEW: StringName = &"change_view"
 const _CAMERA: StringName = &"next_camera"
 const _TORCH: StringName = &"switch_torch"
 const _USE: StringName = &"interact"
+# Without a suit.
+const _WALK: PackedStringArray = [
+	"W, S, A, D\twalk, without a suit; a click lets the mouse turn you, Esc frees it",
+	"Shift, Ctrl, X\trun; crouch; lie down and get up",
+	"Space\tjump, or climb what is ahead",
+]
 const _MOUSE: String = "Drag, arrows\tturn the camera\nWheel\tcome nearer: at last to the face"
 
 
@@ -47,6 +53,8 @@ static func describe(p_moves: bool, p_uses: bool) -> String:
 		lines.append("%s\t%s" % [InputKeys.name_of(action), found[action]])
 	if p_uses:
 		lines.append("W, S, A, D\tdrive, in a vehicle; the bottom of the screen has its keys")
+	if p_moves:
+		lines.append_array(_WALK)
 	lines.append(_MOUSE)
 	return "\n".join(lines)
 

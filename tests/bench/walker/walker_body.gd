@@ -35,9 +35,7 @@ func _init(p_view: SubViewport, p_at: Vector3) -> void:
 	person = _people.list()[0]
 	person.stand_at(Transform3D(Basis.IDENTITY, p_at))
 	walker = ServerWalker.new(person)
-	walker.mover.enter(
-		p_view.find_world_3d().space, PhysicsLayers.STATIC | PhysicsLayers.PROPS
-	)
+	walker.mover.enter(p_view.find_world_3d().space, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
 
 
 ## A tick, before the physics step, by what the user wishes.

@@ -36,8 +36,8 @@ func _init(p_seed: int, p_parent: Node) -> void:
 		var height: float = STEP_M * (index + 1)
 		var at: Vector3 = Vector3(0.0, height / 2.0, 3.0 + index * TREAD_M)
 		_box(Vector3(2.0, height, TREAD_M), Transform3D(Basis.IDENTITY, STAIRS + at))
-	var top: Vector3 = Vector3(0.0, STEP_M * STEPS / 2.0, 3.0 + STEPS * TREAD_M + 1.85)
-	_box(Vector3(2.0, STEP_M * STEPS, 4.0), Transform3D(Basis.IDENTITY, STAIRS + top))
+	var top: Vector3 = Vector3(0.0, STEP_M * STEPS / 2.0, 3.0 + STEPS * TREAD_M + 3.85)
+	_box(Vector3(2.0, STEP_M * STEPS, 8.0), Transform3D(Basis.IDENTITY, STAIRS + top))
 	var lean: Basis = Basis(Vector3.RIGHT, deg_to_rad(-45.0))
 	_box(Vector3(4.0, 1.0, 12.0), Transform3D(lean, SLOPE + lean * Vector3(0.0, -0.5, 6.0)))
 	_add_room()
@@ -78,9 +78,7 @@ static func inputs(p_seed: int, p_ticks: int) -> Array[WalkerInput]:
 			now = WalkerInput.new()
 			now.wish = Vector2.from_angle(chance.randf() * TAU) * chance.randf() * 6.0
 			now.heading = chance.randf_range(-PI, PI)
-			now.stance = (
-				(chance.randi() % 3 if chance.randf() < 0.3 else 0) as WalkerMover.Stance
-			)
+			now.stance = ((chance.randi() % 3 if chance.randf() < 0.3 else 0) as WalkerMover.Stance)
 		now.jumps = chance.randf() < 0.02
 		made.append(now.rounded(schema))
 	return made

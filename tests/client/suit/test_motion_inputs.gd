@@ -23,14 +23,15 @@ func after_each() -> void:
 	_inputs.close()
 
 
-func test_without_a_source_the_options_are_named() -> void:
-	var fault: String = _open([])
-	for option: String in ["--bvh", "--xbus", "--suit-play", "--source"]:
-		contains(fault, option)
+func test_who_names_no_source_walks_by_keys() -> void:
+	equal(_open([]), "")
+	equal(_appeared.size(), 1)
+	is_true(_appeared[0][0] is WalkerSource)
+	contains(_inputs.open_source("walker"), "is a source already")
 
 
 func test_nothing_moves_who_waits_for_a_headset() -> void:
-	for options: Array in [[], ["--default-bvh=" + CLIP], ["--source=xr"]]:
+	for options: Array in [[], ["--source=xr"]]:
 		_again()
 		_inputs.awaits_headset = true
 		equal(_open(options), "", str(options))
@@ -164,8 +165,8 @@ func _again() -> void:
 	before_each()
 
 
-func test_the_default_motion_is_the_first_source_and_others_come_after_it() -> void:
-	equal(_open(["--default-bvh=" + CLIP]), "")
+func test_sources_that_are_opened_later_come_after_the_first() -> void:
+	equal(_open(["--bvh=" + CLIP]), "")
 	equal(_inputs.list_sources().size(), 1)
 	equal(_inputs.open_source("bvh:" + BOXER), "")
 	equal(_inputs.list_sources().size(), 2)

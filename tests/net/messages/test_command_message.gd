@@ -29,6 +29,25 @@ func test_the_last_commands_go_through_with_their_numbers() -> void:
 		equal(read[index].bytes, sent.bytes)
 
 
+func test_a_command_that_goes_on_costs_its_values_and_a_byte() -> void:
+	var commands: Array[EntityCommand] = []
+	for number: int in 8:
+		var command: EntityCommand = EntityCommand.new()
+		command.number = number
+		command.tick = 500 + number
+		command.entity = 1
+		command.command = 1
+		command.bytes = NetSamples.noise(_random, 8).slice(0, 8)
+		command.bytes.resize(8)
+		commands.append(command)
+	var bytes: PackedByteArray = CommandMessage.encode(commands)
+	equal(bytes.size(), 4 + 9 + 8 + 7 * 9)
+	var read: Array[EntityCommand] = CommandMessage.decode(bytes)
+	for index: int in 8:
+		equal(read[index].bytes, commands[index].bytes)
+		equal([read[index].tick, read[index].entity, read[index].command], [500 + index, 1, 1])
+
+
 func test_events_go_through() -> void:
 	var events: Array[EntityEvent] = []
 	for number: int in 5:
