@@ -13,6 +13,8 @@ namespace godot {
 
 namespace {
 
+constexpr int64_t MAX_MEASURED = 1000000;
+
 String from_text(const std::string &p_text) {
 	return String::utf8(p_text.c_str(), int64_t(p_text.size()));
 }
@@ -152,7 +154,9 @@ int64_t MotionSet::get_searched_count() const {
 }
 
 int64_t MotionSet::measure_search(int64_t p_searches, int64_t p_seed, int64_t p_least_rows) const {
-	ERR_FAIL_COND_V_MSG(_core == nullptr || p_searches < 1, -1, "There is nothing to search in.");
+	ERR_FAIL_COND_V_MSG(_core == nullptr, -1, "There is nothing to search in.");
+	ERR_FAIL_COND_V_MSG(p_searches < 1 || p_searches > MAX_MEASURED || p_least_rows < 1 || p_least_rows > MAX_MEASURED,
+			-1, "There are 1 to 1,000,000 searches in as many rows.");
 	std::vector<matching::Features> rows;
 	uint32_t state = uint32_t(p_seed) * 2U + 1U;
 	const auto draw = [&]() {
