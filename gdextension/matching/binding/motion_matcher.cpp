@@ -49,8 +49,7 @@ void MotionMatcher::set_joints(
 		body.shank = limb(thigh + 1, thigh + 2).length();
 	}
 	ERR_FAIL_COND_MSG(!(body.thigh > 0.05f && body.shank > 0.05f), "A body has legs.");
-	const float ankle = float(p_hip_height) + body.hip_joints[0].y - body.leg();
-	body.ankle_height = ankle > 0.02f && ankle < 0.3f ? ankle : body.ankle_height;
+	body.measure();
 	_core.set_body(body);
 }
 
