@@ -87,10 +87,6 @@ func _measure_cost() -> void:
 	var name: String = "%d walkers" % option("walkers")
 	report.at_most(name, "median tick", times[times.size() / 2], "ms", 0.6)
 	report.add(name, "99th percentile", times[times.size() * 99 / 100], "ms")
-	var searches: float = 0.0
-	for matcher: MotionMatcher in matchers:
-		searches += matcher.get_searches()
-	report.add(name, "searches of a walker", searches / matchers.size() / (900.0 * _DELTA), "1/s")
 
 
 func _measure_gaits() -> void:
@@ -109,7 +105,7 @@ func _measure_gaits() -> void:
 				body.changed()
 			_tick(mover, matcher, body)
 		_report(gait[0], body, false)
-		all.slides.append_array(body.slides)
+		all.slide.speeds.append_array(body.slide.speeds)
 		all.distances.append_array(body.distances)
 		all.headings.append_array(body.headings)
 		all.ticks += body.ticks
@@ -183,19 +179,29 @@ func _apart_after(
 
 
 func _report(p_case: String, p_body: ShownBody, p_has_goals: bool) -> void:
+	report.at_most(p_case, "skate, mean", 100.0 * p_body.slide.mean(), "cm/s", 3.0, p_has_goals)
+	report.add(p_case, "skate, 95th percentile", 100.0 * _share(p_body.slide.speeds, 0.95), "cm/s")
 	report.at_most(
-		p_case, "skate, mean", 100.0 * _mean(p_body.slides), "cm/s", 3.0, p_has_goals
+		p_case,
+		"from the mover, worst",
+		100.0 * _share(p_body.distances, 1.0),
+		"cm",
+		10.0,
+		p_has_goals
 	)
-	report.add(p_case, "skate, 95th percentile", 100.0 * _share(p_body.slides, 0.95), "cm/s")
 	report.at_most(
-		p_case, "from the mover, worst", 100.0 * _share(p_body.distances, 1.0), "cm", 10.0, p_has_goals
-	)
-	report.at_most(
-		p_case, "heading off, worst", rad_to_deg(_share(p_body.headings, 1.0)), "deg", 5.0, p_has_goals
+		p_case,
+		"heading off, worst",
+		rad_to_deg(_share(p_body.headings, 1.0)),
+		"deg",
+		5.0,
+		p_has_goals
 	)
 	if not p_has_goals:
-		report.add(p_case, "without a foot on the ground", 100.0 * p_body.flying / p_body.ticks, "%")
-		report.add(p_case, "sole below the ground", -100.0 * p_body.deepest, "cm")
+		report.add(
+			p_case, "without a foot on the ground", 100.0 * p_body.flying / p_body.ticks, "%"
+		)
+		report.add(p_case, "sole below the ground", 100.0 * p_body.slide.deepest, "cm")
 
 
 func _tick(p_mover: PlainMover, p_matcher: MotionMatcher, p_body: ShownBody) -> void:
@@ -229,13 +235,6 @@ func _wish_anything(p_mover: PlainMover, p_random: RandomNumberGenerator) -> voi
 	if p_random.randf() < 0.5:
 		heading = wrapf(heading + p_random.randf_range(-PI, PI), -PI, PI)
 	p_mover.wish(minf(speed, 1.5) if absf(direction) > 1.0 else speed, direction, heading)
-
-
-func _mean(p_values: PackedFloat64Array) -> float:
-	var sum: float = 0.0
-	for value: float in p_values:
-		sum += value
-	return sum / maxi(p_values.size(), 1)
 
 
 func _share(p_values: PackedFloat64Array, p_share: float) -> float:

@@ -13,7 +13,7 @@ from toolchain.paths import ROOT
 # Debian calls these essential: they are on every machine.
 TOOLS = ("bash", "env", "cat", "head", "dirname", "readlink")
 COMMANDS = ("latency", "load", "bench", "bvh", "xbus-decode", "suit-emulator")
-COMMANDS += ("motion-sender", "platform-watch")
+COMMANDS += ("motion-sender", "motion-set", "platform-watch")
 
 
 @pytest.fixture(scope="module")

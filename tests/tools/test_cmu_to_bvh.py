@@ -229,6 +229,12 @@ def test_motions_that_do_not_fit_are_refused(
         read_motion(path, skeleton)
 
 
+def test_a_motion_that_was_cut_out_keeps_its_numbers(tmp_path: Path, skeleton: Bone) -> None:
+    cut = MOTION.replace("\n2\n", "\n11\n", 1).replace("\n1\n", "\n10\n", 1)
+    whole = read_motion(written(tmp_path, "whole.amc", MOTION), skeleton)
+    assert read_motion(written(tmp_path, "cut.amc", cut), skeleton) == whole
+
+
 def test_command(tmp_path: Path, capsys: pytest.CaptureFixture) -> None:
     skeleton = str(written(tmp_path, "person.asf", SKELETON))
     motion = str(written(tmp_path, "a.amc", MOTION))

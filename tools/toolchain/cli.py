@@ -37,7 +37,7 @@ from .stats import GOALS_MISSED, LEFT_OUT
 FLAGS = ("--no-goals",)
 FILES = ("bvh", "file", "report")
 # Whose options are all in their help; the roles' are checked by the program itself.
-CHECKED = ("bvh", "editor", "export", "options-doc", "package", "suit-emulator")
+CHECKED = ("bvh", "editor", "export", "motion-set", "options-doc", "package", "suit-emulator")
 CHECKED += ("motion-sender", "platform-watch", "xbus-decode")
 
 
@@ -49,6 +49,7 @@ def main(arguments: list[str]) -> int:
         "export": _export,
         "bvh": _bvh,
         "motion-sender": _sender,
+        "motion-set": _motion_set,
         "xbus-decode": xbus.decode,
         "bench": _bench,
         "latency": lambda rest: latency.main(normalise(rest)),
@@ -167,6 +168,16 @@ def _bvh(arguments: list[str]) -> int:
     godot = prepare(export=False)
     return _script(
         godot, [], "res://scripts/mocap/bvh/bvh_info.gd", [str(user_path(files[0])), *given]
+    )
+
+
+def _motion_set(arguments: list[str]) -> int:
+    """Makes motion sets, and says what is in one."""
+    words = [argument for argument in arguments if not argument.startswith("-")]
+    options_given = normalise([argument for argument in arguments if argument.startswith("-")])
+    files = [str(user_path(word)) for word in words[1:]]
+    return _script(
+        prepare(export=False), [], help_texts.MOTION_SET_TOOL, [*words[:1], *files, *options_given]
     )
 
 

@@ -19,6 +19,8 @@ from .project import EXTENSIONS
 FOLDER = ROOT / "tools" / "help"
 # Plays motion files in place of suits and other programs.
 MOTION_SENDER = "res://scripts/emulation/motion_sender.gd"
+# Makes motion sets for walkers.
+MOTION_SET_TOOL = "res://scripts/mocap/matching/motion_set_tool.gd"
 MAIN_FILE = ROOT / "tools" / "help.txt"
 # How the program marks where the text of a role begins: OptionsHelp.all_roles().
 _ROLE_MARK = "=== "
@@ -40,6 +42,7 @@ Motion capture without a suit
   ./run motion-sender       plays a motion file as MVN's stream, VMC, SlimeVR, a webcam and others
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
+  ./run motion-set show FILE  what walkers move by; build makes a set of motion files
 
 Vehicles
   ./run platform-watch      shows what a motion platform would be sent
@@ -96,6 +99,25 @@ Says what a motion file (BVH) holds: joints, frames, duration, unit, up axis, si
 
 Exit codes: 0 done, 2 the call is wrong, the file cannot be read or it shows no person.
 """
+MOTION_SET = """./run motion-set VERB ...
+
+What walkers move by: a set of recorded clips, of which the moments are played that fit.
+
+  build TABLE OUT       makes a set of the motion files (BVH) that a table names, a line for each
+                        clip: FILE STANCE FROM_S TO_S NAME; stances are stand, crouch, prone,
+                        ladder, vault, a TO_S of 0 is the file's end
+  show FILE             prints clips, stances, seconds, speeds (heights of the hips a second),
+                        directions and for how long feet stand
+
+  --clips=FOLDER        where the motion files are (the folder of the table)
+  --unit=U              unit of their lengths, as of ./run bvh (guessed)
+
+Ours is made by: ./run motion-set build tools/assets/motion_set/walker.txt
+assets/motion/walker.motionset --clips=FOLDER --unit=cmu; tools/assets/motion_set says where its
+clips are from.
+
+Exit codes: 0 done, 2 the call is wrong or a file is.
+"""
 EDITOR = """./run editor
 
 Builds the extensions, imports the assets and opens the project in the Godot editor. It needs a
@@ -124,6 +146,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "bvh": BVH,
         "editor": EDITOR,
         "export": EXPORT,
+        "motion-set": MOTION_SET,
         "options-doc": OPTIONS_DOC,
         "level": level.help_text(),
         "package": package.help_text(),

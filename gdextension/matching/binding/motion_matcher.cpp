@@ -11,10 +11,6 @@ namespace {
 
 constexpr double MAX_M = 3.0;
 
-bool is_side(int64_t p_side) {
-	return p_side == 0 || p_side == 1;
-}
-
 } // namespace
 
 void MotionMatcher::set_motion_set(const Ref<MotionSet> &p_set) {
@@ -53,8 +49,7 @@ void MotionMatcher::set_joints(
 		body.shank = limb(thigh + 1, thigh + 2).length();
 	}
 	ERR_FAIL_COND_MSG(!(body.thigh > 0.05f && body.shank > 0.05f), "A body has legs.");
-	const float ankle = float(p_hip_height) + body.hip_joints[0].y - body.leg();
-	body.ankle_height = ankle > 0.02f && ankle < 0.3f ? ankle : body.ankle_height;
+	body.measure();
 	_core.set_body(body);
 }
 
@@ -94,38 +89,17 @@ Vector3 MotionMatcher::get_root() const {
 	return from_core(_core.pose().hips);
 }
 
-Vector3 MotionMatcher::get_ankle(int64_t p_side) const {
-	ERR_FAIL_COND_V_MSG(!is_side(p_side), Vector3(), "A side is 0, left, or 1, right.");
-	return from_core(matching::ankle_of(_core.body(), _core.pose(), std::size_t(p_side)));
-}
-
-Vector3 MotionMatcher::get_ball(int64_t p_side) const {
-	ERR_FAIL_COND_V_MSG(!is_side(p_side), Vector3(), "A side is 0, left, or 1, right.");
-	const kinematics::Quat &foot = _core.pose().limbs[matching::foot_of(std::size_t(p_side))];
-	return get_ankle(p_side) + from_core(foot.rotate(_core.body().ball()));
-}
-
-Vector3 MotionMatcher::get_heel(int64_t p_side) const {
-	ERR_FAIL_COND_V_MSG(!is_side(p_side), Vector3(), "A side is 0, left, or 1, right.");
-	const kinematics::Quat &foot = _core.pose().limbs[matching::foot_of(std::size_t(p_side))];
-	return get_ankle(p_side) + from_core(foot.rotate(_core.body().heel()));
-}
-
-bool MotionMatcher::is_planted(int64_t p_side) const {
-	ERR_FAIL_COND_V_MSG(!is_side(p_side), false, "A side is 0, left, or 1, right.");
-	return _core.is_planted(std::size_t(p_side));
+PackedVector3Array MotionMatcher::get_soles() const {
+	PackedVector3Array result;
+	for (std::size_t side = 0; side < 2; side++) {
+		result.push_back(from_core(_core.sole_point(side, _core.body().heel())));
+		result.push_back(from_core(_core.sole_point(side, _core.body().ball())));
+	}
+	return result;
 }
 
 String MotionMatcher::get_clip_name() const {
 	return String(_core.clip_name());
-}
-
-double MotionMatcher::get_clip_frame() const {
-	return _core.clip_frame();
-}
-
-int64_t MotionMatcher::get_searches() const {
-	return _core.searches();
 }
 
 Ref<MotionMatcher> MotionMatcher::copy() const {
@@ -148,13 +122,8 @@ void MotionMatcher::_bind_methods() {
 			&MotionMatcher::advance);
 	ClassDB::bind_method(D_METHOD("get_orientations"), &MotionMatcher::get_orientations);
 	ClassDB::bind_method(D_METHOD("get_root"), &MotionMatcher::get_root);
-	ClassDB::bind_method(D_METHOD("get_ankle", "side"), &MotionMatcher::get_ankle);
-	ClassDB::bind_method(D_METHOD("get_ball", "side"), &MotionMatcher::get_ball);
-	ClassDB::bind_method(D_METHOD("get_heel", "side"), &MotionMatcher::get_heel);
-	ClassDB::bind_method(D_METHOD("is_planted", "side"), &MotionMatcher::is_planted);
+	ClassDB::bind_method(D_METHOD("get_soles"), &MotionMatcher::get_soles);
 	ClassDB::bind_method(D_METHOD("get_clip_name"), &MotionMatcher::get_clip_name);
-	ClassDB::bind_method(D_METHOD("get_clip_frame"), &MotionMatcher::get_clip_frame);
-	ClassDB::bind_method(D_METHOD("get_searches"), &MotionMatcher::get_searches);
 	ClassDB::bind_method(D_METHOD("copy"), &MotionMatcher::copy);
 	BIND_ENUM_CONSTANT(STAND);
 	BIND_ENUM_CONSTANT(CROUCH);

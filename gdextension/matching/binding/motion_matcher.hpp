@@ -32,13 +32,8 @@ public:
 			const Vector3 &p_wished_velocity, double p_wished_heading, int64_t p_stance, bool p_is_grounded);
 	PackedFloat32Array get_orientations() const;
 	Vector3 get_root() const;
-	Vector3 get_ankle(int64_t p_side) const;
-	Vector3 get_ball(int64_t p_side) const;
-	Vector3 get_heel(int64_t p_side) const;
-	bool is_planted(int64_t p_side) const;
+	PackedVector3Array get_soles() const;
 	String get_clip_name() const;
-	double get_clip_frame() const;
-	int64_t get_searches() const;
 	Ref<MotionMatcher> copy() const;
 
 protected:

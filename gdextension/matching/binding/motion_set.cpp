@@ -13,6 +13,8 @@ namespace godot {
 
 namespace {
 
+constexpr int64_t MAX_MEASURED = 1000000;
+
 String from_text(const std::string &p_text) {
 	return String::utf8(p_text.c_str(), int64_t(p_text.size()));
 }
@@ -46,18 +48,20 @@ PackedByteArray MotionSet::to_bytes() const {
 	return result;
 }
 
-void MotionSet::begin_body(double p_hip_height, const PackedVector3Array &p_hip_joints, double p_thigh, double p_shank,
-		double p_ankle_height, double p_foot) {
+void MotionSet::begin_body(
+		const PackedVector3Array &p_hip_joints, double p_thigh, double p_shank, double p_ankle_height, double p_foot) {
 	ERR_FAIL_COND_MSG(p_hip_joints.size() != 2, "There is a hip joint for each of two legs.");
-	for (const double length : { p_hip_height, p_thigh, p_shank, p_ankle_height, p_foot }) {
+	for (const double length : { p_thigh, p_shank, p_ankle_height, p_foot }) {
 		ERR_FAIL_COND_MSG(!(length > 0.0 && length < 3.0), "A length of a body is above 0 and below 3 m.");
 	}
-	_body.hip_height = float(p_hip_height);
 	_body.thigh = float(p_thigh);
 	_body.shank = float(p_shank);
 	_body.ankle_height = float(p_ankle_height);
 	_body.foot = float(p_foot);
+	ERR_FAIL_COND_MSG(
+			!p_hip_joints[0].is_finite() || !p_hip_joints[1].is_finite(), "A hip joint is at a finite place.");
 	_body.hip_joints = { to_core(p_hip_joints[0]), to_core(p_hip_joints[1]) };
+	_body.measure();
 }
 
 String MotionSet::add_clip(const String &p_name, int64_t p_stance, const PackedVector3Array &p_hips,
@@ -152,7 +156,9 @@ int64_t MotionSet::get_searched_count() const {
 }
 
 int64_t MotionSet::measure_search(int64_t p_searches, int64_t p_seed, int64_t p_least_rows) const {
-	ERR_FAIL_COND_V_MSG(_core == nullptr || p_searches < 1, -1, "There is nothing to search in.");
+	ERR_FAIL_COND_V_MSG(_core == nullptr, -1, "There is nothing to search in.");
+	ERR_FAIL_COND_V_MSG(p_searches < 1 || p_searches > MAX_MEASURED || p_least_rows < 1 || p_least_rows > MAX_MEASURED,
+			-1, "There are 1 to 1,000,000 searches in as many rows.");
 	std::vector<matching::Features> rows;
 	uint32_t state = uint32_t(p_seed) * 2U + 1U;
 	const auto draw = [&]() {
@@ -195,8 +201,8 @@ void MotionSet::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("load_file", "path"), &MotionSet::load_file);
 	ClassDB::bind_method(D_METHOD("load_bytes", "bytes"), &MotionSet::load_bytes);
 	ClassDB::bind_method(D_METHOD("to_bytes"), &MotionSet::to_bytes);
-	ClassDB::bind_method(D_METHOD("begin_body", "hip_height", "hip_joints", "thigh", "shank", "ankle_height", "foot"),
-			&MotionSet::begin_body);
+	ClassDB::bind_method(
+			D_METHOD("begin_body", "hip_joints", "thigh", "shank", "ankle_height", "foot"), &MotionSet::begin_body);
 	ClassDB::bind_method(
 			D_METHOD("add_clip", "name", "stance", "hips", "orientations", "first", "end"), &MotionSet::add_clip);
 	ClassDB::bind_method(D_METHOD("get_clip_count"), &MotionSet::get_clip_count);

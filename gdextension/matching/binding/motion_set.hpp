@@ -25,8 +25,8 @@ public:
 	String load_file(const String &p_path);
 	String load_bytes(const PackedByteArray &p_bytes);
 	PackedByteArray to_bytes() const;
-	void begin_body(double p_hip_height, const PackedVector3Array &p_hip_joints, double p_thigh, double p_shank,
-			double p_ankle_height, double p_foot);
+	void begin_body(const PackedVector3Array &p_hip_joints, double p_thigh, double p_shank, double p_ankle_height,
+			double p_foot);
 	String add_clip(const String &p_name, int64_t p_stance, const PackedVector3Array &p_hips,
 			const PackedFloat32Array &p_orientations, int64_t p_first, int64_t p_end);
 	int64_t get_clip_count() const;

@@ -22,17 +22,20 @@ Quat between(const Vec3 &p_from, const Vec3 &p_to) {
 
 Body Body::of(float p_hip_height, float p_thigh, float p_shank, float p_foot) {
 	Body body;
-	body.hip_height = p_hip_height;
-	// Of the soldier's skeleton; ratios of hip height.
-	body.ankle_height = 0.088f * p_hip_height;
-	body.foot = p_foot > 0.0f ? 0.85f * p_foot : 0.148f * p_hip_height;
-	body.thigh = p_thigh > 0.0f ? p_thigh : 0.44f * p_hip_height;
-	body.shank = p_shank > 0.0f ? p_shank : 0.43f * p_hip_height;
-	const float below = p_hip_height - body.ankle_height - body.leg();
+	// The soldier's skeleton, whose hips are 1.0115 m high.
+	body.ankle_height = 0.0734f * p_hip_height;
+	body.foot = p_foot > 0.0f ? 0.96f * p_foot : 0.148f * p_hip_height;
+	body.thigh = p_thigh > 0.0f ? p_thigh : 0.4358f * p_hip_height;
+	body.shank = p_shank > 0.0f ? p_shank : 0.452f * p_hip_height;
 	for (std::size_t side = 0; side < 2; side++) {
-		body.hip_joints[side] = { (side == 0 ? 0.095f : -0.095f) * p_hip_height, -below, 0.0f };
+		body.hip_joints[side] = Vec3{ side == 0 ? 0.1117f : -0.1117f, -0.045f, -0.0171f } * p_hip_height;
 	}
+	body.measure();
 	return body;
+}
+
+void Body::measure() {
+	hip_height = leg() + ankle_height - 0.5f * (hip_joints[0].y + hip_joints[1].y);
 }
 
 Vec3 reach(const Vec3 &p_hip_joint, const Vec3 &p_ankle, float p_thigh, float p_shank, const Vec3 &p_front,

@@ -7,16 +7,18 @@ namespace matching {
 
 /// What is known of a body's size: enough for legs that reach the ground. In the reset pose's axes, m.
 struct Body {
-	float hip_height = 1.0115f; ///< Of the hips above the soles.
+	float hip_height = 1.0f; ///< Of the hips above the soles, with straight legs side by side.
 	std::array<Vec3, 2> hip_joints{}; ///< From the hips to where the legs begin.
 	float thigh = 0.44f;
 	float shank = 0.44f;
 	float ankle_height = 0.09f; ///< Of the ankles above the soles.
 	float foot = 0.15f; ///< From the ankle to the ball, along the ground.
 
-	/// A body of usual proportions; lengths that are known (above 0) replace the usual ones.
+	/// A body of usual proportions by the height of the hips; lengths that are known (above 0) replace the usual ones.
 	static Body of(float p_hip_height, float p_thigh = 0.0f, float p_shank = 0.0f, float p_foot = 0.0f);
 
+	/// Finds the height of the hips.
+	void measure();
 	/// The ball of the foot and the heel from the ankle, on the sole.
 	Vec3 ball() const { return { 0.0f, -ankle_height, foot }; }
 	Vec3 heel() const { return { 0.0f, -ankle_height, -0.35f * foot }; }

@@ -6,9 +6,9 @@ namespace matching {
 namespace {
 
 /// Differences and their speeds beyond these are a jump of the person, not a motion to be kept.
-constexpr float MOST_TURN = 2.5f;
-constexpr float MOST_TURN_RATE = 12.0f;
-constexpr float MOST_SPEED = 6.0f;
+constexpr float MAX_TURN = 2.5f;
+constexpr float MAX_TURN_RATE = 12.0f;
+constexpr float MAX_SPEED = 6.0f;
 
 Vec3 place_of(const Pose &p_pose, std::size_t p_index) {
 	return p_index == 0 ? p_pose.hips : p_pose.ankles[p_index - 1];
@@ -29,14 +29,14 @@ void Inertia::change(const Pose &p_new, const Pose &p_next, float p_delta) {
 		const Quat now = p_new.limbs[limb];
 		const Vec3 old_rate = log(_last.limbs[limb] * _before.limbs[limb].inverse()) * per_second;
 		const Vec3 new_rate = log(p_next.limbs[limb] * now.inverse()) * per_second;
-		_limbs[limb].offset = log(_last.limbs[limb] * now.inverse()).limited(MOST_TURN);
-		_limbs[limb].velocity = (old_rate - new_rate).limited(MOST_TURN_RATE);
+		_limbs[limb].offset = log(_last.limbs[limb] * now.inverse()).limited(MAX_TURN);
+		_limbs[limb].velocity = (old_rate - new_rate).limited(MAX_TURN_RATE);
 	}
 	for (std::size_t i = 0; i < _places.size(); i++) {
 		const Vec3 old_speed = (place_of(_last, i) - place_of(_before, i)) * per_second;
 		const Vec3 new_speed = (place_of(p_next, i) - place_of(p_new, i)) * per_second;
 		_places[i].offset = place_of(_last, i) - place_of(p_new, i);
-		_places[i].velocity = (old_speed - new_speed).limited(MOST_SPEED);
+		_places[i].velocity = (old_speed - new_speed).limited(MAX_SPEED);
 	}
 }
 

@@ -74,7 +74,7 @@ float crouch(float p_share, const Body &p_body, Pose &r_pose) {
 
 Pose airborne(const Pose &p_from, const Body &p_body, float p_rising) {
 	Pose pose = p_from;
-	// Going up the legs trail, coming down they reach for the ground.
+	// Going up the legs stay behind, coming down they reach for the ground.
 	const float tuck = 0.5f + 0.3f * std::clamp(p_rising * 0.3f, -1.0f, 1.0f);
 	pose.hips.x *= 0.3f;
 	pose.hips.z *= 0.3f;

@@ -20,15 +20,15 @@ constexpr float ANSWER_S = 0.1f;
 constexpr float SLOWEST = 0.1f;
 constexpr float SLOWEST_RATE = 0.8f;
 constexpr float FASTEST_RATE = 1.2f;
-constexpr float LONGEST_STRIDE = 1.7f;
+constexpr float MAX_STRIDE = 1.7f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
 constexpr float HIPS_SHARE = 0.45f;
-constexpr float MOST_HIPS = 0.7f;
+constexpr float MAX_HIPS = 0.7f;
 /// How far the hips are lowered at most for a foot that stands far away, heights of the hips.
-constexpr float MOST_DROP = 0.2f;
+constexpr float MAX_DROP = 0.2f;
 /// Lean for an acceleration, rad for each m/s², and its most, rad.
 constexpr float LEAN = 0.022f;
-constexpr float MOST_LEAN = 0.14f;
+constexpr float MAX_LEAN = 0.14f;
 
 float horizontal(const Vec3 &p_vector) {
 	return std::hypot(p_vector.x, p_vector.z);
@@ -68,7 +68,7 @@ void MotionMatcher::reset(const Vec3 &p_position, float p_heading) {
 	// Walkers that begin together do not all search in one tick.
 	const float spread = std::sin(p_position.x * 12.9898f + p_position.z * 78.233f) * 43758.547f;
 	fresh._until_search = (spread - std::floor(spread)) * SEARCH_S;
-	*this = fresh;
+	*this = std::move(fresh);
 	if (_set != nullptr) {
 		_player.reset(*_set);
 		Wish wish;
@@ -137,11 +137,11 @@ MotionMatcher::Warp MotionMatcher::_warp(const Wish &p_wish, const Player::Sampl
 	const Vec3 wished = turn_of(-p_wish.heading).rotate(p_wish.wished_velocity);
 	const float speed = horizontal(velocity);
 	const float own = std::hypot(p_sample.velocity_x, p_sample.velocity_z) * _body.hip_height;
-	warp.stride = std::clamp(speed / std::max(own * _rate(p_wish), 0.1f), 0.0f, LONGEST_STRIDE);
+	warp.stride = std::clamp(speed / std::max(own * _rate(p_wish), 0.1f), 0.0f, MAX_STRIDE);
 	const Vec3 &going = speed > SLOWEST ? velocity : wished;
 	if (horizontal(going) > SLOWEST) {
 		warp.turn = wrapped(std::atan2(going.x, going.z) - std::atan2(p_sample.velocity_x, p_sample.velocity_z));
-		warp.hips_turn = std::clamp(HIPS_SHARE * warp.turn, -MOST_HIPS, MOST_HIPS);
+		warp.hips_turn = std::clamp(HIPS_SHARE * warp.turn, -MAX_HIPS, MAX_HIPS);
 	}
 	return warp;
 }
@@ -180,7 +180,7 @@ void MotionMatcher::_lean(float p_delta, const Wish &p_wish, Pose &r_pose) {
 	const Vec3 wanted = (p_wish.wished_velocity - p_wish.velocity) * 2.0f;
 	const Vec3 had = (p_wish.velocity - _before) * (1.0f / p_delta);
 	_acceleration.go(back.rotate((wanted + had * 0.5f).limited(7.0f)), p_delta, 0.05f);
-	const Vec3 lean = Vec3{ _acceleration.value.z * LEAN, 0.0f, -_acceleration.value.x * LEAN }.limited(MOST_LEAN);
+	const Vec3 lean = Vec3{ _acceleration.value.z * LEAN, 0.0f, -_acceleration.value.x * LEAN }.limited(MAX_LEAN);
 	const Quat whole = exp(lean);
 	const Quat half = exp(lean * 0.5f);
 	r_pose.limbs[HIPS] = exp(lean * 0.25f) * r_pose.limbs[HIPS];
@@ -265,7 +265,7 @@ void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankl
 	}
 	// Down at once, as a foot that stands would slip; up slowly.
 	const float up = std::exp2(-p_delta / 0.08f);
-	_drop = std::max(std::min(needed, MOST_DROP * _body.hip_height), _drop * up);
+	_drop = std::max(std::min(needed, MAX_DROP * _body.hip_height), _drop * up);
 	r_pose.hips.y -= _drop;
 }
 
@@ -273,7 +273,7 @@ void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player
 	Footing::Goals goals;
 	goals.ball = _body.ball();
 	goals.heel = _body.heel() - _body.ball();
-	const float lowest = (1.0f - MOST_DROP) * _body.hip_height - _body.ankle_height;
+	const float lowest = (1.0f - MAX_DROP) * _body.hip_height - _body.ankle_height;
 	goals.reach = std::sqrt(std::max(_body.leg() * _body.leg() - lowest * lowest, 0.04f));
 	goals.velocity = p_wish.velocity;
 	goals.is_walking = !_player.entry(*_set).stands;

@@ -41,13 +41,15 @@ public:
 	void advance(float p_delta, const Wish &p_wish);
 	/// In the world, m.
 	const Pose &pose() const { return _pose; }
+	/// A point that is so far from an ankle in the foot's axes in the reset pose, in the world, m.
+	Vec3 sole_point(std::size_t p_side, const Vec3 &p_from_ankle) const {
+		return ankle_of(_body, _pose, p_side) + _pose.limbs[foot_of(p_side)].rotate(p_from_ankle);
+	}
 	bool is_planted(std::size_t p_side) const { return _footing.is_planted(p_side); }
 	/// Searches since the last reset.
 	int searches() const { return _searches; }
 	/// The clip that is played, or an empty text.
 	const char *clip_name() const;
-	/// Where in the clip, frames.
-	float clip_frame() const { return _player.frame(); }
 
 private:
 	/// Follows a value smoothly.

@@ -11,13 +11,13 @@ namespace {
 /// What it costs to turn a motion about the vertical, for each rad squared.
 constexpr float TURNING_COST = 0.5f;
 /// Motion is never turned by more, rad: from there on the opposite direction is nearer.
-constexpr float MOST_TURNING = 1.95f;
+constexpr float MAX_TURNING = 1.95f;
 /// What stays in favour of going on as before: changes of motion are seen.
 constexpr float GOING_ON = 0.35f;
 /// Frames of the same clip that are nearer than this are no other moment.
 constexpr float SAME_FRAMES = 12.0f;
 /// Who goes less far in a second stands, heights of the hips: nobody who stands is shown walking, nor the other way.
-constexpr float SHORTEST_WAY = 0.2f;
+constexpr float MIN_WAY = 0.2f;
 
 } // namespace
 
@@ -35,7 +35,7 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
 	const MotionSet::Place now{ _entry, int(_frame) };
 	const int own_family = entry(p_set).family;
 	const Features &current = p_set.features_at(now);
-	const bool goes = std::hypot(p_way.x[2], p_way.z[2]) > SHORTEST_WAY;
+	const bool goes = std::hypot(p_way.x[2], p_way.z[2]) > MIN_WAY;
 	const float travel = std::atan2(p_way.x[2], p_way.z[2]);
 	const bool has_both = p_set.has(stance, false) && p_set.has(stance, true);
 	FeatureTable::Found best;
@@ -46,7 +46,7 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
 			continue;
 		}
 		const float turning = family.stands || !goes ? 0.0f : wrapped(travel - family.travel);
-		if (std::fabs(turning) > MOST_TURNING) {
+		if (std::fabs(turning) > MAX_TURNING) {
 			continue;
 		}
 		Features row = current;

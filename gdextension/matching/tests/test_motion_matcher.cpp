@@ -6,7 +6,6 @@
 #include <check.hpp>
 
 #include <cmath>
-#include <cstring>
 #include <random>
 
 using namespace matching;
@@ -45,8 +44,13 @@ Vec3 ball(const MotionMatcher &p_matcher, std::size_t p_side) {
 }
 
 bool is_same(const Pose &p_a, const Pose &p_b) {
-	return std::memcmp(p_a.limbs.data(), p_b.limbs.data(), sizeof(p_a.limbs)) == 0 &&
-			std::memcmp(&p_a.hips, &p_b.hips, sizeof(Vec3)) == 0;
+	bool same = p_a.hips.x == p_b.hips.x && p_a.hips.y == p_b.hips.y && p_a.hips.z == p_b.hips.z;
+	for (std::size_t i = 0; i < LIMBS; i++) {
+		const Quat &a = p_a.limbs[i];
+		const Quat &b = p_b.limbs[i];
+		same = same && a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+	}
+	return same;
 }
 
 bool is_pose(const Pose &p_pose) {

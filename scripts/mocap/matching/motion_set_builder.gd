@@ -75,4 +75,4 @@ func _take_body(p_rig: BvhRig) -> void:
 	var foot: Vector3 = p_rig.rest_tail(Limbs.LEFT_FOOT) - p_rig.rest_base(Limbs.LEFT_FOOT)
 	var ankle: float = p_rig.rest_base(Limbs.LEFT_FOOT).y - p_rig.rest_floor()
 	var ball: float = maxf(Vector2(foot.x, foot.z).length(), 0.05)
-	motion_set.begin_body(p_rig.hip_height, joints, leg[0], leg[1], maxf(ankle, 0.02), ball)
+	motion_set.begin_body(joints, leg[0], leg[1], maxf(ankle, 0.02), ball)

@@ -9,8 +9,14 @@ extends RefCounted
 ## Files are named from the folder of the table, or from the one that is given. Times are of the clip as
 ## it is played, s; a to_s of 0 is its end.
 
-## Names of the stances, by [enum MotionMatcher.Stance].
-const STANCES: PackedStringArray = ["stand", "crouch", "prone", "ladder", "vault"]
+## Names of the stances.
+const STANCES: Dictionary[String, MotionMatcher.Stance] = {
+	"stand": MotionMatcher.STAND,
+	"crouch": MotionMatcher.CROUCH,
+	"prone": MotionMatcher.PRONE,
+	"ladder": MotionMatcher.LADDER,
+	"vault": MotionMatcher.VAULT,
+}
 ## Longest clip, s: what is longer is no clip.
 const MAX_S: float = 600.0
 
@@ -22,7 +28,7 @@ class Row:
 	## Name of the motion file.
 	var file: String = ""
 	## One of [enum MotionMatcher.Stance].
-	var stance: int = 0
+	var stance: MotionMatcher.Stance = MotionMatcher.STAND
 	## Where the clip begins and ends, s; an end of 0 is the file's.
 	var from_s: float = 0.0
 	var to_s: float = 0.0
@@ -59,9 +65,9 @@ func _read(p_words: PackedStringArray) -> String:
 		return "expected: FILE STANCE FROM_S TO_S NAME"
 	var row: Row = Row.new()
 	row.file = p_words[0]
-	row.stance = STANCES.find(p_words[1])
-	if row.stance < 0:
-		return "a stance is %s; found '%s'" % [", ".join(STANCES), p_words[1]]
+	if not STANCES.has(p_words[1]):
+		return "a stance is %s; found '%s'" % [", ".join(STANCES.keys()), p_words[1]]
+	row.stance = STANCES[p_words[1]]
 	for word: String in [p_words[2], p_words[3]]:
 		if not word.is_valid_float() or not (word.to_float() >= 0.0 and word.to_float() <= MAX_S):
 			return "a time is 0 to %d s; found '%s'" % [MAX_S, word]

@@ -2,15 +2,13 @@ extends RefCounted
 ## Measures how well a shown body fits its mover: whether its feet slide, where it is, where it
 ## faces.
 
-## A point of a sole that is lower is on the ground, m.
-const GROUND_M: float = 0.02
 ## Ticks over which headings are averaged: trunks swing with every step.
 const WINDOW: int = 36
 ## Ticks after a change of the wish in which place and heading are not held to their goals.
 const SETTLING: int = 30
 
-## Speeds of soles on the ground, m/s: of the point that moves least.
-var slides: PackedFloat64Array = PackedFloat64Array()
+## Whether its soles slide.
+var slide: SoleSlide = SoleSlide.new()
 ## Distances of the hips from the mover on the ground, m.
 var distances: PackedFloat64Array = PackedFloat64Array()
 ## Differences of the chest's mean heading from the mover's, rad.
@@ -18,17 +16,14 @@ var headings: PackedFloat64Array = PackedFloat64Array()
 ## Ticks, and those without a foot on the ground.
 var ticks: int = 0
 var flying: int = 0
-## Worst of a sole's points below the ground, m.
-var deepest: float = 0.0
 
-var _points: PackedVector3Array = PackedVector3Array()
 var _window: PackedFloat64Array = PackedFloat64Array()
 var _since: int = 0
 
 
 ## Says that another walker comes.
 func begin() -> void:
-	_points.clear()
+	slide.begin()
 	changed()
 
 
@@ -40,24 +35,8 @@ func changed() -> void:
 
 ## Looks at a tick.
 func look(p_matcher: MotionMatcher, p_position: Vector3, p_heading: float, p_delta: float) -> void:
-	var points: PackedVector3Array = [
-		p_matcher.get_heel(0), p_matcher.get_ball(0), p_matcher.get_heel(1), p_matcher.get_ball(1)
-	]
 	ticks += 1
-	var stands: bool = false
-	if not _points.is_empty():
-		for side: int in 2:
-			var slowest: float = INF
-			for point: int in [2 * side, 2 * side + 1]:
-				if points[point].y < GROUND_M and _points[point].y < GROUND_M:
-					var step: Vector3 = points[point] - _points[point]
-					slowest = minf(slowest, Vector2(step.x, step.z).length() / p_delta)
-				deepest = minf(deepest, points[point].y)
-			if is_finite(slowest):
-				slides.append(slowest)
-				stands = true
-	flying += 0 if stands else 1
-	_points = points
+	flying += 0 if slide.look(p_matcher.get_soles(), p_delta) else 1
 	_since += 1
 	_look_at_trunk(p_matcher, p_position, p_heading)
 
