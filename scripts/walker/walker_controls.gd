@@ -5,10 +5,10 @@ extends Node
 ## While the mouse is caught it turns the eyes; a click into the window catches it, Esc lets it go.
 ## Without it the arrow keys and the right stick turn them.
 
-## Speeds, m/s: walking by keys, the full stick, running.
+## Speeds, m/s: walking by keys, the full stick, running; faster, and the body would fall.
 const WALK: float = 1.6
-const JOG: float = 3.0
-const RUN: float = 5.5
+const JOG: float = 2.6
+const RUN: float = 3.4
 ## Turn for each pixel of the mouse, rad, and of the keys and the full stick, rad/s.
 const MOUSE: float = 0.0025
 const TURN_RATE: float = 2.6

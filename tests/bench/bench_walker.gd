@@ -2,12 +2,35 @@ extends Bench
 ## People without a suit, who walk by keys: whether client and server agree, stairs, corners, the
 ## network, and what it costs.
 ##
-## Options: --scene=all|equal|cost|stairs|corners|network, --seed=1, --ticks=10000,
-## --delay=80 (ms there and back), --jitter=20 (ms), --loss=0.02.
+## Options: --scene=all|equal|cost|stairs|corners|network|body|shove|crowd, --seed=1, --ticks=10000,
+## --delay=80 (ms there and back), --jitter=20 (ms), --loss=0.02, --shoves=24.
 
 const WalkerCourse: GDScript = preload("res://tests/bench/walker/walker_course.gd")
 const WalkerLine: GDScript = preload("res://tests/bench/walker/walker_line.gd")
-const SCENES: Array[String] = ["all", "equal", "cost", "stairs", "corners", "network"]
+const WalkerBody: GDScript = preload("res://tests/bench/walker/walker_body.gd")
+const SCENES: Array[String] = [
+	"all", "equal", "cost", "stairs", "corners", "network", "body", "shove", "crowd"
+]
+## What walkers' bodies are measured in, as --walk has it.
+const GAITS: Dictionary[String, String] = {
+	"stands": "0:0:0:6",
+	"walks": "1.5:0:0:6",
+	"jogs": "2.6:0:0:6",
+	"runs": "3.4:0:0:6",
+	"walks in circles": "1.5:0:45:6",
+	"backwards": "-1:0:0:6",
+	"sideways": "0:1:0:6",
+	"turns on the spot": "0:0:90:6",
+	"starts and stops": "1.5:0:0:1.5,0:0:0:1,1.5:0:90:1,0:0:0:1,1.5:0:0:1.5",
+	"crouches": "1:0:0:6:crouch",
+	"crawls": "0.5:0:0:6:prone",
+	"jumps": "1.5:0:0:1,1.5:0:0:0.2:jump,1.5:0:0:2,1.5:0:0:0.2:jump,1.5:0:0:2",
+}
+const GAIT_TICKS: int = 420
+## Impulse of a shove at the chest, N s.
+const SHOVE: float = 160.0
+## Walkers of a crowd.
+const CROWD: int = 64
 const TICK_S: float = 1.0 / 60.0
 ## Ticks that are made again when a correction comes.
 const REPLAYED: int = 12
@@ -24,6 +47,7 @@ func options() -> Dictionary:
 		"delay": [80.0, 0.0, 1000.0],
 		"jitter": [20.0, 0.0, 500.0],
 		"loss": [0.02, 0.0, 0.9],
+		"shoves": [24, 1, 1000],
 	}
 
 
@@ -37,6 +61,9 @@ func measure() -> void:
 		"stairs": _measure_stairs,
 		"corners": _measure_corners,
 		"network": _measure_network,
+		"body": _measure_bodies,
+		"shove": _measure_shoves,
+		"crowd": _measure_crowd,
 	}
 	for name: String in scenes:
 		if option("scene") in ["all", name]:
@@ -193,3 +220,95 @@ func _measure_network(p_course: WalkerCourse) -> void:
 	report.at_most(
 		name, "up, without headers", line.sent_bytes / line.seconds() / 1000.0, "kB/s", 8.0
 	)
+
+
+## Bodies in physics, in every gait: how far from their walkers, and how feet slide.
+func _measure_bodies(p_course: WalkerCourse) -> void:
+	for name: String in GAITS:
+		var body: WalkerBody = WalkerBody.new(p_course.view, Vector3(0.0, 0.0, -14.0))
+		var list: WalkScript = WalkScript.parse(GAITS[name])
+		list.begin(0.0)
+		for tick: int in GAIT_TICKS:
+			await physics_frame
+			var input: WalkerInput = WalkerInput.new()
+			body.advance(input if tick < 60 else list.advance(TICK_S))
+		report.at_most(name, "off the walker, mean", body.distances.mean() * 100.0, "cm", 10.0)
+		report.add(name, "off the walker, 99 %", body.distances.percentile(0.99) * 100.0, "cm")
+		report.at_most(name, "off its heading, mean", rad_to_deg(body.headings.mean()), "deg", 5.0)
+		report.at_most(name, "feet on the ground slide", body.skates.mean() * 100.0, "cm/s", 3.0)
+		report.at_most(name, "ticks down", body.down_ticks, "of %d" % GAIT_TICKS, 0.0)
+		body.free_all()
+		await process_frame
+
+
+## Shoves out of a stand, a walk and a run: who falls gets up, and walks again.
+func _measure_shoves(p_course: WalkerCourse) -> void:
+	var chance: RandomNumberGenerator = RandomNumberGenerator.new()
+	chance.seed = option("seed")
+	var times: Statistics = Statistics.new()
+	var fallen: int = 0
+	var back: int = 0
+	for shove: int in option("shoves"):
+		var body: WalkerBody = WalkerBody.new(p_course.view, Vector3(0.0, 0.0, -14.0))
+		var way: Vector3 = Vector3.BACK.rotated(Vector3.UP, chance.randf() * TAU)
+		var up_s: float = await _shove(body, [0.0, 1.5, 3.0][shove % 3], way * SHOVE)
+		if body.down_ticks > 0:
+			fallen += 1
+			times.add(up_s)
+			back += int(await _walks_again(body))
+		body.free_all()
+		await process_frame
+	report.add("shoves of 160 N s", "fallen", fallen, "of %d" % option("shoves"))
+	report.at_most("shoves of 160 N s", "up again, worst", times.percentile(1.0), "s", 4.0)
+	report.at_least("shoves of 160 N s", "walk again", back, "of %d" % fallen, fallen)
+
+
+## Shoves somebody who goes at a speed; returns how long it takes to stand again, s.
+func _shove(p_body: WalkerBody, p_speed: float, p_impulse: Vector3) -> float:
+	var down: int = -1
+	for tick: int in 900:
+		await physics_frame
+		var input: WalkerInput = WalkerInput.new()
+		input.wish.y = p_speed if tick > 60 and tick < 150 else 0.0
+		if tick == 150:
+			var chest: RID = p_body.person.ragdoll.get_bodies()[Limbs.CHEST]
+			PhysicsServer3D.body_apply_central_impulse(chest, p_impulse)
+		p_body.advance(input)
+		var is_down: bool = p_body.walker.mover.get_mode() == WalkerMover.BODY
+		if is_down and down < 0:
+			down = tick
+		elif not is_down and (down >= 0 or tick > 300):
+			return maxf(tick - down, 0) * TICK_S
+	return INF
+
+
+func _walks_again(p_body: WalkerBody) -> bool:
+	var from: Vector3 = p_body.person.hips()
+	for tick: int in 150:
+		await physics_frame
+		var input: WalkerInput = WalkerInput.new()
+		input.wish.y = 1.5
+		p_body.advance(input)
+	return p_body.person.hips().distance_to(from) > 1.0
+
+
+## What walkers cost a server besides their bodies' motors.
+func _measure_crowd(p_course: WalkerCourse) -> void:
+	var movers: Array[WalkerMover] = []
+	var poses: Array[WalkerPose] = []
+	var inputs: Array[WalkerInput] = WalkerCourse.inputs(option("seed") + 4, CROWD * 64)
+	for index: int in CROWD:
+		movers.append(p_course.mover())
+		movers[index].place(Vector3(index % 8, 0.1, index / 8.0), 0.0)
+		poses.append(WalkerPose.new())
+		poses[index].restart(movers[index])
+	var cost: Statistics = Statistics.new()
+	for tick: int in 600:
+		var begin: int = ThreadClock.get_usec()
+		for index: int in CROWD:
+			var input: WalkerInput = inputs[(index * 61 + tick) % inputs.size()]
+			input.apply(movers[index], TICK_S)
+			poses[index].advance(movers[index], input, TICK_S)
+		cost.add(ThreadClock.get_usec() - begin)
+	report.at_most("%d walkers" % CROWD, "a tick, median", cost.percentile(0.5) / 1000.0, "ms", 1.5)
+	report.add("%d walkers" % CROWD, "a tick, 95 %", cost.percentile(0.95) / 1000.0, "ms")

@@ -8,7 +8,9 @@ extends RefCounted
 ## on when that stands.
 
 ## How far the body may be held back from the walker, m: beyond that the walker waits for it.
-const MOST_TETHER_M: float = 0.3
+const MOST_TETHER_M: float = 0.5
+## Speed with which the motion comes to where a walker was put, m/s.
+const GLIDE: float = 5.0
 ## Time without an input after which the walker stands still, s.
 const PATIENCE_S: float = 0.5
 
@@ -28,6 +30,8 @@ var _silent_s: float = 0.0
 var _number: int = 0
 ## Where the pose of the last tick had the hips, m.
 var _hips: Vector3 = Vector3.ZERO
+## From where the walker is to where the motion still is, m.
+var _behind: Vector3 = Vector3.ZERO
 var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
 
 
@@ -107,9 +111,21 @@ func _feet() -> Vector3:
 	return hit["position"] if not hit.is_empty() else hips + Vector3.DOWN * _pose.hip_height
 
 
+## Lets the motion come along at a person's speed where the walker is put elsewhere, as to where a
+## body has fallen: a motion that jumps would put the body there, upright.
+func _glide(r_sample: PoseSample, p_delta_s: float) -> void:
+	var most: float = GLIDE * p_delta_s
+	_behind = _behind.move_toward(Vector3.ZERO, most)
+	var jump: Vector3 = r_sample.root + _behind - _hips
+	if jump.length() > 2.0 * most:
+		_behind -= jump
+	r_sample.root += _behind
+
+
 ## Gives the body the pose of the tick's end, in the person's own frame.
 func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
 	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s)
+	_glide(sample, p_delta_s)
 	_hips = sample.root
 	sample.id = inputs & 0xFFFFFFFF
 	sample.time_usec = roundi((p_tick + 1) * p_delta_s * 1e6)

@@ -66,6 +66,13 @@ func _measure() -> void:
 	if is_down or tick < 60:
 		_feet = feet
 		return
+	# The shoulders say where one faces.
+	var left: Vector3 = (
+		limbs[Limbs.LEFT_UPPER_ARM].global_position - limbs[Limbs.RIGHT_UPPER_ARM].global_position
+	)
+	var facing: Vector3 = left.cross(Vector3.UP)
+	var heading: float = walker.mover.get_heading()
+	headings.add(absf(angle_difference(atan2(facing.x, facing.z), heading)))
 	var apart: Vector3 = person.hips() - walker.mover.get_position()
 	distances.add(Vector2(apart.x, apart.z).length())
 	for foot: int in 2:
