@@ -9,6 +9,8 @@ const NO_SOURCE: String = (
 	+ " program send to this machine and take it under Sources, or start with --source=KIND or"
 	+ " --bvh=FILE."
 )
+## What moves somebody who joins nevertheless.
+const DEFAULT_CLIP: String = " If you join without one, a clip of ours moves you."
 const _WORLDS: String = "as the world says"
 ## Period of the words, s.
 const _PERIOD_S: float = 0.25
@@ -76,7 +78,7 @@ func _say(p_now_s: float) -> void:
 	avatars.append_array(AvatarStore.NAMES)
 	_sheet.show_avatars(avatars, maxi(avatars.find(_context.people.avatar()), 0))
 	_sheet.show_wearer(_describe(_motion()))
-	_sheet.show_trouble(_inputs.guide(p_now_s) if _inputs.has_any() else NO_SOURCE)
+	_sheet.show_trouble(_inputs.guide(p_now_s) if _inputs.has_any() else _describe_none())
 	_sheet.show_devices(_list())
 
 
@@ -113,6 +115,11 @@ func _describe(p_motion: ClientMotion) -> String:
 		return text + " This motion comes calibrated."
 	var state: String = SuitWords.describe(suit)
 	return "%s %s." % [text, state.left(1).to_upper() + state.substr(1)]
+
+
+func _describe_none() -> String:
+	var has_default: bool = _context.options.text("default-bvh") != ""
+	return NO_SOURCE + (DEFAULT_CLIP if has_default else "")
 
 
 func _choose_avatar(p_at: int) -> void:

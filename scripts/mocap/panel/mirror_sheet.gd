@@ -55,8 +55,9 @@ func _ready() -> void:
 	_sources.text = InputKeys.label("Sources", &"toggle_source_sheet")
 	_sources.pressed.connect(sources_wanted.emit)
 	_join.pressed.connect(_press_join)
-	_devices.set_titles(DeviceList.TITLES, [150, 84, 60], 2)
+	_devices.set_titles(DeviceList.TITLES, [116, 76, 60], 2)
 	show_people([], 0)
+	show_wearer("")
 	show_trouble("")
 	offer_session("")
 	resized.connect(_fit)
@@ -81,9 +82,10 @@ func show_avatars(p_names: PackedStringArray, p_at: int) -> void:
 	_fill(_avatars, p_names, p_at)
 
 
-## Says who is seen, how tall, and whether calibrated.
+## Says who is seen, how tall, and whether calibrated; nothing if empty.
 func show_wearer(p_text: String) -> void:
 	_wearer.text = p_text
+	_wearer.visible = p_text != ""
 
 
 ## Says what is wrong and what to do; nothing if empty.

@@ -26,8 +26,8 @@ const FOV_DEG: float = 36.0
 const ROOM_M: float = 2.2
 const HEIGHT_M: float = 2.8
 
-const _DISTANCES_M: Vector2 = Vector2(1.2, 4.4)
-const _DISTANCE_M: float = 3.6
+const _DISTANCES_M: Vector2 = Vector2(1.2, 4.8)
+const _DISTANCE_M: float = 3.9
 const _ELEVATION: float = 0.06
 const _HIGHEST: float = 0.6
 ## Turn of one press of a key, rad, and of one pixel of the mouse.
@@ -36,11 +36,11 @@ const _PER_PIXEL: float = 0.008
 ## Time in which the room goes along with who walks, s.
 const _FOLLOW_S: float = 0.4
 ## How far from the middle of the room somebody may be seen, m.
-const _LEASH_M: float = 0.5
+const _LEASH_M: float = 0.35
 
-const _WALL: Color = Color(0.3, 0.33, 0.37)
-const _FLOOR: Color = Color(0.27, 0.24, 0.2)
-const _JOINT: Color = Color(0.2, 0.18, 0.15)
+const _WALL: Color = Color(0.42, 0.45, 0.49)
+const _FLOOR: Color = Color(0.46, 0.41, 0.35)
+const _JOINT: Color = Color(0.34, 0.3, 0.25)
 
 ## What is shown hangs here, in a world of its own. Front is +Z, the floor is where [method follow]
 ## says.
@@ -174,7 +174,9 @@ func seen_at(p_point: Vector3) -> Vector2:
 
 func _fit() -> void:
 	# As many pixels as the screen has there.
-	var unit: float = get_viewport().get_screen_transform().get_scale().x if is_inside_tree() else 1.0
+	var unit: float = (
+		get_viewport().get_screen_transform().get_scale().x if is_inside_tree() else 1.0
+	)
 	var lines: float = clampf(size.y * unit, 16.0, MAX_LINES)
 	var wide: float = clampf(lines * size.x / maxf(size.y, 1.0), 16.0, MAX_LINES * 2.0)
 	_viewport.size = Vector2i(roundi(wide), roundi(lines))
