@@ -108,8 +108,10 @@ func _describe(p_motion: ClientMotion) -> String:
 		return ""
 	var size: BodySize = p_motion.source.get_body()
 	var text: String = "%.2f m tall, hips at %.2f m." % [size.height, p_motion.card.hip_height]
-	if p_motion.card.name != "":
-		text = "%s, %s" % [p_motion.card.name, text]
+	var name: String = p_motion.card.name
+	name = _context.options.text("name") if name == "" else name
+	if name != "":
+		text = "%s, %s" % [name, text]
 	var suit: SuitSource = p_motion.suit()
 	if suit == null:
 		return text + " This motion comes calibrated."

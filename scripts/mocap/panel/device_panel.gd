@@ -80,16 +80,16 @@ func _ready() -> void:
 	_person.name_entered.connect(_rename)
 	_person.person_chosen.connect(_take_person)
 	_person.height_changed.connect(_set_height)
+	_sheets = SheetStack.new([_sheet, _sources, _mirror], _mirror)
+	_sheets.changed.connect(_on_sheet_changed)
 	_person.body_wanted.connect(_toggle_body)
 	_person.suits().item_selected.connect(choose_suit)
 	_sheet.measured.connect(_measure)
 	_sources_button.text = InputKeys.label("Sources", &"toggle_source_sheet")
-	_sources_button.pressed.connect(_toggle_sources)
+	_sources_button.pressed.connect(_sheets.toggle.bind(_sources))
 	_mirror_button.text = InputKeys.label("Mirror", &"toggle_mirror")
 	_mirror_button.pressed.connect(show_mirror)
-	_mirror.sources_wanted.connect(_toggle_sources)
-	_sheets = SheetStack.new([_sheet, _sources, _mirror])
-	_sheets.changed.connect(_on_sheet_changed)
+	_mirror.sources_wanted.connect(_sheets.toggle.bind(_sources))
 	show_devices([])
 	resized.connect(_fit)
 	_fit()
@@ -146,7 +146,7 @@ func start_calibration(p_kind: CalibrationGuide.Kind) -> void:
 	else:
 		suit().process.options = _box.options()
 		_fault = suit().start_calibration(p_kind, _now_s())
-		# Its result is told of in the panel.
+		# The panel shows its result.
 		if _mirror.visible and _fault == "":
 			_sheets.toggle(_mirror)
 	_show_status()
@@ -185,7 +185,7 @@ func _input(p_event: InputEvent) -> void:
 	if cancels and _sheets.current() != null:
 		_sheets.toggle(_sheets.current())
 	elif p_event.is_action_pressed(&"toggle_source_sheet"):
-		_toggle_sources()
+		_sheets.toggle(_sources)
 	elif p_event.is_action_pressed(&"toggle_body_sheet"):
 		_toggle_body()
 	elif p_event.is_action_pressed(&"toggle_mirror"):
@@ -360,13 +360,6 @@ func _resize(p_change: Callable) -> void:
 func _toggle_body() -> void:
 	if suit() != null:
 		_sheets.toggle(_sheet)
-
-
-func _toggle_sources() -> void:
-	if _mirror.visible:
-		_sheets.open_above(_sources)
-	else:
-		_sheets.toggle(_sources)
 
 
 func _on_sheet_changed() -> void:

@@ -6,6 +6,5 @@ extends PanelContainer
 @warning_ignore("unused_signal")
 signal close_wanted
 
-
 ## Gives the keyboard to what is used first.
 @abstract func focus_first() -> void

@@ -1,5 +1,5 @@
 extends TestCase
-## The mirror's sheet by keyboard alone, in windows of all sizes; what it says, and what it asks for.
+## The mirror's sheet by keyboard alone, in windows of all sizes: what it says and what it asks for.
 
 ## Of 16:9 at the least scale, 16:9, 21:9, 4:3, and upright.
 const SIZES: Array[Vector2i] = [
