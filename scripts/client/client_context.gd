@@ -32,6 +32,8 @@ var stream: StateStream = null
 var link: ClientLink = null
 ## The people whose motion this client sends; null where it sends none.
 var people: ClientPeople = null
+## The user looks at themselves before the session begins; null: it begins at once.
+var try_out: TryOut = null
 ## The user's headset; null without one.
 var headset: ClientHeadset = null
 ## Entries of the window's menu that parts add.

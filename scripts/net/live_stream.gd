@@ -10,6 +10,10 @@ signal connecting
 ## asks]. Nothing goes on until [method trust_key].
 signal key_changed(p_other: OtherServerKey)
 
+## Who has not been admitted yet is not: why. Comes instead of [signal ended] while [member
+## is_patient]; [method open] tries again.
+signal turned_away(p_why: String)
+
 ## Seconds between two attempts to reach a server.
 const _RETRY_S: float = 2.0
 ## Seconds until the first one after a working connection was lost.
@@ -40,27 +44,32 @@ var password: String = ""
 var patience_s: float = 0.0
 ## Whether somebody can be asked if a changed key is to be trusted; otherwise it ends the stream.
 var asks: bool = false
+## Whether somebody is there who can try again: a server that does not admit us ends nothing.
+var is_patient: bool = false
 
 var _retry_at_s: float = INF
 var _alone_since_s: float = 0.0
 var _was_joined: bool = false
 var _is_asking: bool = false
+var _is_open: bool = false
 
 
 func open() -> String:
 	traffic = link.traffic
-	link.joined.connect(_on_joined)
-	link.lost.connect(_on_lost)
-	link.refused.connect(_on_refused)
-	link.waiting.connect(_on_waiting)
-	link.state_received.connect(_on_state)
+	_is_open = true
+	if not link.joined.is_connected(_on_joined):
+		link.joined.connect(_on_joined)
+		link.lost.connect(_on_lost)
+		link.refused.connect(_on_refused)
+		link.waiting.connect(_on_waiting)
+		link.state_received.connect(_on_state)
 	_alone_since_s = now_s()
 	_connect()
 	return ""
 
 
 func advance(_delta_s: float) -> void:
-	if _is_asking:
+	if _is_asking or not _is_open:
 		return
 	link.poll()
 	var now: float = now_s()
@@ -70,7 +79,7 @@ func advance(_delta_s: float) -> void:
 		_alone_since_s = now
 	if not link.is_joined() and patience_s > 0.0 and now - _alone_since_s > patience_s:
 		var where: Array = [host, port, patience_s]
-		ended.emit(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
+		_end(EXIT_NO_SERVER, "no server at %s:%d for %.0f s" % where)
 
 
 ## The user trusts the key that the server has shown: joins it.
@@ -113,7 +122,10 @@ func send_fast(p_bytes: PackedByteArray) -> void:
 	link.send_fast(p_bytes)
 
 
+## Leaves the server; [method open] comes back.
 func close() -> void:
+	_is_open = false
+	_is_asking = false
 	link.leave()
 
 
@@ -128,6 +140,7 @@ func _on_joined() -> void:
 	Log.info("client", "joined %s:%d" % [host, port])
 	status_changed.emit("")
 	_was_joined = true
+	is_patient = false
 	# The server's deltas are relative to what it has sent in this connection.
 	restarted.emit()
 	joined.emit()
@@ -149,14 +162,22 @@ func _on_lost(p_why: String) -> void:
 func _on_refused(p_why: String) -> void:
 	var other: OtherServerKey = link.other_key
 	if other == null:
-		ended.emit(EXIT_REFUSED, "the server refused us: %s" % p_why)
+		_end(EXIT_REFUSED, "the server refused us: %s" % p_why)
 	elif not asks or other.is_pinned:
-		ended.emit(EXIT_REFUSED, p_why)
+		_end(EXIT_REFUSED, p_why)
 	else:
 		Log.warning("client", p_why)
 		_is_asking = true
 		status_changed.emit("")
 		key_changed.emit(other)
+
+
+func _end(p_code: int, p_why: String) -> void:
+	if not is_patient:
+		ended.emit(p_code, p_why)
+		return
+	close()
+	turned_away.emit(p_why)
 
 
 func _on_waiting(p_position: int, p_for: JoinReply.Wait) -> void:

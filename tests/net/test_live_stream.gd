@@ -82,6 +82,26 @@ func test_a_fingerprint_that_was_given_is_no_question() -> void:
 	equal(_asked.size() + _pair.joined.size(), 0)
 
 
+func test_a_patient_user_who_is_turned_away_tries_again() -> void:
+	var reasons: Array[String] = []
+	_live.turned_away.connect(reasons.append)
+	_live.is_patient = true
+	_live.link.trust.pin = KeyFingerprint.of(PackedByteArray([1]))
+	_live.open()
+	is_true(_pair.until(func() -> bool: return not reasons.is_empty()))
+	contains(reasons[0], _live.link.trust.pin)
+	_live.patience_s = 0.001
+	_pair.run(0.3)
+	equal(reasons.size(), 1, "nothing goes on before the user wants it")
+	_live.patience_s = 30.0
+	_live.link.trust.pin = _fingerprint()
+	_live.open()
+	is_true(_pair.until(func() -> bool: return _pair.joined.size() == 1 and not _joins.is_empty()))
+	equal(_joins.size(), 1, "nobody hears it twice")
+	equal(_ended.size(), 0)
+	is_false(_live.is_patient, "a session that has begun ends as any other")
+
+
 func _know_another() -> void:
 	var other: PackedByteArray = Crypto.new().generate_random_bytes(KeyFingerprint.KEY_SIZE)
 	_live.link.trust.take(KnownServers.address("127.0.0.1", _pair.port), other, false)

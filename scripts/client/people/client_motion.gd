@@ -18,6 +18,8 @@ var card: PersonCard = PersonCard.new()
 var actor: int = -1
 ## The newest sample that [method take_samples] saw, or null.
 var newest: PoseSample = null
+## The samples that [method take_samples] took last, oldest first.
+var taken: Array[PoseSample] = []
 
 var _index: int = 0
 var _link: ClientLink = null
@@ -44,6 +46,21 @@ func start(
 ## Ends the sampling of the source.
 func stop() -> void:
 	_sender.remove(_index)
+
+
+## The suit that the person wears, or null.
+func suit() -> SuitSource:
+	return innermost(source) as SuitSource
+
+
+## What moves the trunk behind a motion that is fitted to a headset, or put together of several.
+static func innermost(p_source: MotionSource) -> MotionSource:
+	var inner: MotionSource = p_source
+	if inner is FusedSource:
+		inner = (inner as FusedSource).source
+	if inner is LimbFusion:
+		inner = (inner as LimbFusion).first()
+	return inner
 
 
 ## Sets the own body's number, skeleton and height of the hips, m.
@@ -91,7 +108,8 @@ func keep_in_step() -> void:
 
 ## Takes what was sampled since the last call. Call it in every frame.
 func take_samples() -> void:
-	for sample: PoseSample in _sender.take_samples(_index):
+	taken = _sender.take_samples(_index)
+	for sample: PoseSample in taken:
 		newest = sample
 		if _has_body:
 			_body.add_sample(sample)

@@ -125,6 +125,24 @@ func embody(p_replica: WorldReplica, p_shown: Dictionary[int, ActorView]) -> voi
 			first_actor = motion.actor
 
 
+## All of them, by their numbers. They may be read but not changed.
+func motions() -> Array[ClientMotion]:
+	return _motions
+
+
+## Shows everybody as an avatar from now on; an empty text is the world's.
+func wear(p_avatar: String) -> void:
+	_avatar = p_avatar
+	for motion: ClientMotion in _motions:
+		motion.card.avatar = p_avatar
+	_declare()
+
+
+## The avatar that is worn; an empty text is the world's.
+func avatar() -> String:
+	return _avatar
+
+
 ## Sends an acknowledgement of snapshots, together with samples.
 func send_ack(p_bytes: PackedByteArray) -> void:
 	_sender.send_ack(p_bytes)

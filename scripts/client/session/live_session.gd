@@ -34,11 +34,15 @@ func open(p_context: ClientContext) -> String:
 	_live.connecting.connect(_shared.reconnect)
 	context.scene.get_level().shared = _shared.api
 	_ask_about_keys()
+	if options.is_on("try"):
+		if ClientContext.is_headless():
+			return "--try needs a window: without one nobody can see themselves and join"
+		_wait_for_user()
 	return _trust()
 
 
 func begin() -> String:
-	return _live.open()
+	return _live.open() if context.try_out == null else ""
 
 
 func finish() -> void:
@@ -48,6 +52,28 @@ func finish() -> void:
 func close() -> void:
 	_close_shared()
 	_live.close()
+
+
+## The session begins when the user wants it to.
+func _wait_for_user() -> void:
+	var user: TryOut = TryOut.new()
+	user.where = _live.describe()
+	_live.is_patient = true
+	user.join_wanted.connect(_live.open)
+	user.stop_wanted.connect(_live.close)
+	_live.status_changed.connect(
+		func(text: String) -> void:
+			if user.phase == TryOut.Phase.JOINING:
+				user.note(TryOut.Phase.JOINING, text)
+	)
+	_live.joined.connect(func() -> void: user.note(TryOut.Phase.JOINED, ""))
+	_live.turned_away.connect(
+		func(why: String) -> void:
+			Log.warning("client", why)
+			context.hud.show_message("")
+			user.note(TryOut.Phase.LOOKING, why.left(1).to_upper() + why.substr(1) + ".")
+	)
+	context.try_out = user
 
 
 ## The keys that servers may show, as the options say.

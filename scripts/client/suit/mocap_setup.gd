@@ -5,6 +5,8 @@ extends ClientPart
 
 ## Input action that opens and closes the panel.
 const ACTION: StringName = &"toggle_devices"
+## Input action that opens the panel's mirror.
+const MIRROR_ACTION: StringName = &"toggle_mirror"
 ## Input action that sets the headings of all suits anew.
 const HEADING_ACTION: StringName = &"reset_heading"
 ## Period of updating the list of devices, s.
@@ -26,6 +28,9 @@ var _now_s: float = 0.0
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never open it.
 var _panel: DevicePanel = null
+var _mirror: ClientMirror = null
+# Asks whether somebody who tries out wants to leave.
+var _leave_prompt: UiPrompt = null
 var _cues: GuideCues = null
 var _discovery: SourceDiscovery = SourceDiscovery.new()
 # The calibration that is heard.
@@ -49,7 +54,12 @@ func _physics_process(_delta: float) -> void:
 
 
 func _unhandled_key_input(p_event: InputEvent) -> void:
-	if people != null and p_event.is_action_pressed(ACTION):
+	# The mirror's key is that of the panel, with another one held.
+	if people != null and p_event.is_action_pressed(MIRROR_ACTION):
+		_show_panel(true)
+		_panel.show_mirror()
+		get_viewport().set_input_as_handled()
+	elif people != null and p_event.is_action_pressed(ACTION):
 		_show_panel(not is_panel_open())
 		get_viewport().set_input_as_handled()
 	elif people != null and p_event.is_action_pressed(HEADING_ACTION):
@@ -74,12 +84,18 @@ func open(p_context: ClientContext) -> String:
 		inputs.awaits_headset = not ClientContext.is_headless()
 	var fault: String = inputs.open(options)
 	people.vmc_out = inputs.vmc_out
-	if fault == "" and options.is_on("panel"):
+	if fault == "" and context.try_out != null:
+		context.try_out.changed.connect(_on_try_out_changed)
+		_show_panel(true)
+		_panel.show_mirror()
+	elif fault == "" and options.is_on("panel"):
 		_show_panel(true)
 	return fault
 
 
 func begin_frame() -> void:
+	# Questions, such as that of a server's key, come first.
+	_layer.visible = not context.is_menu_open()
 	read_sources(ClientContext.ui_s())
 	_reports.advance(_now_s)
 	context.hud.show_guide(guide(_now_s))
@@ -104,6 +120,8 @@ func read_sources(p_now_s: float) -> void:
 	people.take_samples()
 	_let_guide_be_heard()
 	_discovery.advance(p_now_s)
+	if is_panel_open():
+		_mirror.advance(p_now_s)
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
@@ -129,10 +147,7 @@ func calibrate(p_index: int, p_kind: int, p_now_s: float, p_answer: Callable = C
 		if p_answer.is_valid():
 			p_answer.call(false, "has no person %d, or no calibration %d" % [p_index, p_kind])
 		return
-	if source is FusedSource:
-		source = (source as FusedSource).source
-	if source is LimbFusion:
-		source = (source as LimbFusion).first()
+	source = ClientMotion.innermost(source)
 	if p_kind != ClientCalibration.HEADING:
 		inputs.calibrate(source, p_kind as CalibrationGuide.Kind, p_now_s, p_answer)
 	elif source is SuitSource:
@@ -194,6 +209,10 @@ func _let_guide_be_heard() -> void:
 
 
 func _show_panel(p_shows: bool) -> void:
+	if not p_shows and context.try_out != null and context.try_out.is_before_session():
+		# There is nothing behind it.
+		_ask_to_leave()
+		return
 	if _panel == null:
 		_panel = _PANEL.instantiate()
 		_panel.close_wanted.connect(_show_panel.bind(false))
@@ -202,10 +221,32 @@ func _show_panel(p_shows: bool) -> void:
 		_panel.sources().source_wanted.connect(_open_source)
 		_panel.sources().group_chosen.connect(_choose_group)
 		_layer.add_child(_panel)
+		_mirror = ClientMirror.new(context, inputs, _panel.mirror())
 	_panel.visible = p_shows
 	_listed_s = 0.0
 	if p_shows:
 		_panel.show_suits(inputs.wearers)
+
+
+func _ask_to_leave() -> void:
+	if _leave_prompt == null:
+		_leave_prompt = UiPrompt.new("You have not joined")
+		_leave_prompt.set_answers(["Stay", "Leave"])
+		_leave_prompt.answered.connect(_on_leave_answered)
+		_layer.add_child(_leave_prompt)
+	_leave_prompt.ask("Nobody has seen you yet. Leave the program?")
+
+
+func _on_leave_answered(p_answer: int) -> void:
+	if p_answer == 1:
+		context.leave_wanted.emit(StateStream.EXIT_DONE)
+	else:
+		_panel.show_mirror()
+
+
+func _on_try_out_changed() -> void:
+	if not context.try_out.is_before_session():
+		_show_panel(false)
 
 
 func _on_profile_changed(p_suit: int) -> void:

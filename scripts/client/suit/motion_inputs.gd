@@ -69,14 +69,24 @@ func open(p_options: Options) -> String:
 		fault = _open_playback()
 	if fault == "":
 		_addresses = SourceAddress.of_options(p_options)
-		if _addresses.is_empty() and not _has_any():
-			_addresses = _find_default()
-		people.count = _addresses.size()
-		fault = people.read(p_options.text("fuse"))
-	for number: int in _addresses.size():
-		if fault == "":
-			fault = _open_source(_addresses[number], number + 1)
-	return fault
+		if not _addresses.is_empty() or has_any():
+			fault = _open_addresses()
+	return fault if fault != "" or p_options.is_on("try") else open_default()
+
+
+## Opens what moves somebody who has no source; harmless where there is one. Returns what is wrong,
+## or an empty text.
+func open_default() -> String:
+	if has_any() or awaits_headset:
+		return ""
+	_addresses = _find_default()
+	return _open_addresses()
+
+
+## Whether there is a source, though perhaps without anybody yet.
+func has_any() -> bool:
+	var has_device: bool = usb != null or mvn != null or not _trackers.is_empty()
+	return _has_files or has_device or streams.has_any()
 
 
 ## Opens one more source while the client runs, such as "vmc:39539". Returns why it can't, or an
@@ -234,11 +244,6 @@ func _notice_absence(p_now_s: float) -> void:
 			Log.warning("mocap", tracker.error)
 
 
-func _has_any() -> bool:
-	var has_device: bool = usb != null or mvn != null or not _trackers.is_empty()
-	return _has_files or has_device or streams.has_any()
-
-
 ## A disk that is full must not cost a session unseen.
 func _watch_recorder() -> void:
 	if _recorder == null or _recorder_fault != "" or Engine.get_process_frames() % 30 != 0:
@@ -265,6 +270,15 @@ func _open_recorder() -> String:
 		return ""
 	_recorder = RawRecorder.new()
 	return _recorder.open(path)
+
+
+func _open_addresses() -> String:
+	people.count = _addresses.size()
+	var fault: String = people.read(_options.text("fuse"))
+	for number: int in _addresses.size():
+		if fault == "":
+			fault = _open_source(_addresses[number], number + 1)
+	return fault
 
 
 func _open_source(p_address: SourceAddress, p_number: int) -> String:
@@ -372,22 +386,7 @@ func _follow(p_stream: MvnStream, p_number: int) -> void:
 ## Somebody wears sensors; the data kept under that person's name are loaded.
 func _wear(p_feed: SensorFeed, p_name: String, p_number: int) -> void:
 	var wearer: SuitSource = SuitSource.new(p_feed)
-	if p_name != "" and PersonProfile.find_name_fault(p_name) == "":
-		var profile: PersonProfile = _store.read(p_name)
-		if profile != null:
-			Log.info("mocap", "%s: as kept in %s" % [p_name, _store.path_of(p_name)])
-		else:
-			var is_new: bool = not FileAccess.file_exists(_store.path_of(p_name))
-			Log.info("mocap", "nothing is kept of %s yet" % p_name if is_new else _store.error)
-			profile = PersonProfile.new()
-			profile.name = p_name
-		wearer.set_profile(profile)
-	elif p_name != "":
-		Log.warning("mocap", PersonProfile.find_name_fault(p_name))
-	elif not wearers.is_empty():
-		var other: PersonProfile = PersonProfile.new()
-		other.name = "somebody %d" % (wearers.size() + 1)
-		wearer.set_profile(other)
+	WearerProfile.begin(wearer, p_name, _store, wearers.size() + 1)
 	_by_feed[p_feed] = wearer
 	wearers.append(wearer)
 	people.appear(wearer, p_name, p_number)

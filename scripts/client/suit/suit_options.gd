@@ -60,6 +60,11 @@ static func rows() -> Array[OptionRow]:
 			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"
 		),
 		OptionRow.flag("panel", moving, "open the device panel at the start (key M)"),
+		OptionRow.flag(
+			"try",
+			moving,
+			"see yourself first: the device panel's mirror opens, and its button joins the server"
+		),
 		OptionRow.text("unit", with_load, "unit of the motion file; guessed by default").shown_as(
 			"|".join(BvhOptions.UNITS.keys()) + "|METRES"
 		),

@@ -40,6 +40,7 @@ static func actions(p_moves: bool, p_uses: bool) -> Dictionary[StringName, Strin
 		found[_USE] = "use what is looked at"
 	if p_moves:
 		found[&"toggle_devices"] = "motion capture"
+		found[&"toggle_mirror"] = "mirror"
 		found[_TORCH] = "torch in the right hand"
 	found.merge(_EVERYBODY)
 	return found

@@ -1,11 +1,9 @@
 class_name BodySheet
-extends PanelContainer
+extends PanelSheet
 ## The measures of a body, cm; those that were not measured follow the height.
 
 ## A measure was changed: a name of [constant BodySize.RATIOS], and m.
 signal measured(p_name: StringName, p_metres: float)
-## It is to be closed.
-signal close_wanted
 
 @export var _grid: GridContainer
 @export var _fault: Label

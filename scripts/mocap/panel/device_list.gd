@@ -4,7 +4,8 @@ extends UiList
 
 ## What of a device is shown: keys of its dictionary, all of them texts.
 const KEYS: PackedStringArray = ["name", "state", "detail"]
-const _TITLES: PackedStringArray = ["Device", "State", "Details"]
+## Titles of their columns.
+const TITLES: PackedStringArray = ["Device", "State", "Details"]
 const _WIDTHS: PackedInt32Array = [256, 90, 200]
 const _NONE: String = "No device yet: plug in a suit, or look at Sources."
 
@@ -13,7 +14,7 @@ var _is_filled: bool = false
 
 
 func _init() -> void:
-	set_titles(_TITLES, _WIDTHS, 2)
+	set_titles(TITLES, _WIDTHS, 2)
 	add_theme_constant_override("v_separation", 0)
 
 

@@ -23,6 +23,7 @@ const BESIDE_PX: float = 1200.0
 ## Whether it advances the suits; otherwise somebody else calls [method SuitSource.advance].
 @export var drives: bool = false
 
+@export var _rows: Control
 @export var _middle: BoxContainer
 @export var _person: PersonBox
 @export var _devices: DeviceList
@@ -32,6 +33,8 @@ const BESIDE_PX: float = 1200.0
 @export var _box: CalibrationBox
 @export var _sheet: BodySheet
 @export var _sources: SourceSheet
+@export var _mirror: MirrorSheet
+@export var _mirror_button: Button
 @export var _sources_button: Button
 @export var _status: Label
 @export var _close: Button
@@ -40,6 +43,7 @@ const BESIDE_PX: float = 1200.0
 var clock: Callable = func() -> float: return Time.get_ticks_usec() / 1e6
 
 var _suits: Array[SuitSource] = []
+var _sheets: SheetStack = null
 var _at: int = 0
 var _store: CalibrationStore = null
 var _boxes_view: SensorBoxesView = null
@@ -76,14 +80,16 @@ func _ready() -> void:
 	_person.name_entered.connect(_rename)
 	_person.person_chosen.connect(_take_person)
 	_person.height_changed.connect(_set_height)
-	_person.body_wanted.connect(_show_sheet.bind(true))
+	_sheets = SheetStack.new([_sheet, _sources, _mirror], _mirror)
+	_sheets.changed.connect(_on_sheet_changed)
+	_person.body_wanted.connect(_toggle_body)
 	_person.suits().item_selected.connect(choose_suit)
 	_sheet.measured.connect(_measure)
-	_sheet.close_wanted.connect(_show_sheet.bind(false))
-	_sheet.visible = false
 	_sources_button.text = InputKeys.label("Sources", &"toggle_source_sheet")
-	_sources_button.pressed.connect(_show_sources.bind(true))
-	_sources.close_wanted.connect(_show_sources.bind(false))
+	_sources_button.pressed.connect(_sheets.toggle.bind(_sources))
+	_mirror_button.text = InputKeys.label("Mirror", &"toggle_mirror")
+	_mirror_button.pressed.connect(show_mirror)
+	_mirror.sources_wanted.connect(_sheets.toggle.bind(_sources))
 	show_devices([])
 	resized.connect(_fit)
 	_fit()
@@ -109,6 +115,17 @@ func sources() -> SourceSheet:
 	return _sources
 
 
+## The sheet with the mirror.
+func mirror() -> MirrorSheet:
+	return _mirror
+
+
+## Opens the mirror.
+func show_mirror() -> void:
+	if not _mirror.visible:
+		_sheets.toggle(_mirror)
+
+
 ## The suit that is shown, or null.
 func suit() -> SuitSource:
 	return _suits[_at] if _at < _suits.size() else null
@@ -129,6 +146,9 @@ func start_calibration(p_kind: CalibrationGuide.Kind) -> void:
 	else:
 		suit().process.options = _box.options()
 		_fault = suit().start_calibration(p_kind, _now_s())
+		# The panel shows its result.
+		if _mirror.visible and _fault == "":
+			_sheets.toggle(_mirror)
 	_show_status()
 
 
@@ -162,14 +182,14 @@ func _input(p_event: InputEvent) -> void:
 		return
 	var process: CalibrationProcess = suit().process if suit() != null else null
 	var cancels: bool = p_event.is_action_pressed(&"ui_cancel")
-	if cancels and _sheet.visible:
-		_show_sheet(false)
-	elif cancels and _sources.visible:
-		_show_sources(false)
+	if cancels and _sheets.current() != null:
+		_sheets.toggle(_sheets.current())
 	elif p_event.is_action_pressed(&"toggle_source_sheet"):
-		_show_sources(not _sources.visible)
+		_sheets.toggle(_sources)
 	elif p_event.is_action_pressed(&"toggle_body_sheet"):
-		_show_sheet(not _sheet.visible)
+		_toggle_body()
+	elif p_event.is_action_pressed(&"toggle_mirror"):
+		_sheets.toggle(_mirror)
 	elif not _box.take_input(p_event, process):
 		if not cancels:
 			return
@@ -206,7 +226,8 @@ func _show_views() -> void:
 	if newest != null:
 		_boxes_view.show_frame(newest, _mounts(), suit().get_body())
 	if suit().newest_pose != null:
-		_figure_view.show_pose(suit().newest_pose, suit().get_body(), _trouble())
+		var trouble: PackedInt32Array = SuitWords.limbs_in_trouble(suit())
+		_figure_view.show_pose(suit().newest_pose, suit().get_body(), trouble)
 	else:
 		# Nobody knows yet how the wearer stands: a neutral figure.
 		var neutral: PoseSample = CalibrationGuide.countdown(ResetPose.Kind.N).pose_at(0.0)
@@ -242,34 +263,12 @@ func _show_stats() -> void:
 
 
 func _show_status() -> void:
-	if _fault != "":
-		_status.text = _fault
-	elif suit() == null:
-		_status.text = "no suit"
-	elif suit().feed.error != "":
-		_status.text = suit().feed.error
-	elif not suit().is_calibrated():
-		var key: String = InputKeys.name_of(&"calibrate_full")
-		_status.text = "Not calibrated yet: press %s and follow the figure" % key
-	else:
-		var made: float = suit().get_profile().calibration.made_s
-		var minutes: int = int((Time.get_unix_time_from_system() - made) / 60.0)
-		_status.text = "calibrated %d min ago" % minutes if minutes > 0 else "calibrated just now"
+	_status.text = _fault if _fault != "" else SuitWords.describe(suit())
 	_status.tooltip_text = _status.text
 
 
 func _mounts() -> PackedInt32Array:
 	return suit().get_profile().map.of_sensors(suit().feed.list_sensors())
-
-
-## Limbs that something is wrong with.
-func _trouble() -> PackedInt32Array:
-	var found: PackedInt32Array = []
-	for swap: Vector2i in suit().watch.swaps:
-		found.append_array([BodyMounts.LIMBS[swap.x], BodyMounts.LIMBS[swap.y]])
-	for mount: int in suit().watch.slipped:
-		found.append(BodyMounts.LIMBS[mount])
-	return found
 
 
 func _accept() -> void:
@@ -338,47 +337,38 @@ func _take_person(p_name: String) -> void:
 
 
 func _set_height(p_metres: float) -> void:
-	if suit() == null:
-		return
-	var size: BodySize = suit().get_body().duplicate()
-	_fault = size.set_height(p_metres)
-	if _fault == "":
-		suit().set_body(size)
-		_keep_measures()
-	else:
-		_refresh()
+	_resize(func(size: BodySize) -> String: return size.set_height(p_metres))
 
 
 func _measure(p_name: StringName, p_metres: float) -> void:
+	_resize(func(size: BodySize) -> String: return size.measure(p_name, p_metres))
+
+
+## Changes the wearer's size: [code]func(size: BodySize) -> String[/code] returns what is wrong.
+func _resize(p_change: Callable) -> void:
 	if suit() == null:
 		return
-	var size: BodySize = suit().get_body().duplicate()
-	_fault = size.measure(p_name, p_metres)
+	var size_then: BodySize = suit().get_body().duplicate()
+	_fault = p_change.call(size_then)
 	if _fault == "":
-		suit().set_body(size)
+		suit().set_body(size_then)
 		_keep_measures()
 	else:
 		_refresh()
 
 
-func _show_sheet(p_shows: bool) -> void:
-	_sheet.visible = p_shows and suit() != null
-	_sources.visible = false
+func _toggle_body() -> void:
+	if suit() != null:
+		_sheets.toggle(_sheet)
+
+
+func _on_sheet_changed() -> void:
+	# The mirror takes the whole screen: nothing behind it is drawn, or takes the keyboard.
+	_rows.visible = _sheets.current() != _mirror
 	_fault = ""
-	_refresh()
-	if _sheet.visible:
-		_sheet.focus_first()
-	else:
-		_sensors.grab_focus()
-
-
-func _show_sources(p_shows: bool) -> void:
-	_sources.visible = p_shows
 	_sources.show_fault("")
-	if p_shows:
-		_sheet.visible = false
-		_sources.focus_first()
-	else:
+	_refresh()
+	if _sheets.current() == null:
 		_sensors.grab_focus()
 
 

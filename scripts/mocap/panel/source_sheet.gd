@@ -1,5 +1,5 @@
 class_name SourceSheet
-extends PanelContainer
+extends PanelSheet
 ## What motion is sent to this machine, to be taken with Enter; and which source gives which limbs
 ## of the first one's person. Sources come as dictionaries and numbers: what they are is not known
 ## here.
@@ -10,8 +10,6 @@ signal listening_wanted(p_is_wanted: bool)
 signal source_wanted(p_source: String)
 ## A group of limbs is to come from the source of a number, counted from 1.
 signal group_chosen(p_group: int, p_number: int)
-## It is to be closed.
-signal close_wanted
 
 ## Keys of what was heard that are shown.
 const KEYS: PackedStringArray = ["name", "state", "detail"]
