@@ -77,7 +77,7 @@ func _measure() -> void:
 	distances.add(Vector2(apart.x, apart.z).length())
 	for foot: int in 2:
 		var low: float = feet[foot].y - walker.mover.get_position().y
-		if low < 0.07 and not _feet.is_empty():
+		if low < 0.06 and not _feet.is_empty():
 			var moved: Vector3 = (feet[foot] - _feet[foot]) / TICK_S
 			skates.add(Vector2(moved.x, moved.z).length())
 	_feet = feet

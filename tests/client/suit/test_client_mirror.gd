@@ -35,27 +35,18 @@ func goes_by_clock() -> bool:
 	return true
 
 
-func test_without_a_source_it_says_so_and_what_to_do_and_nobody_joins() -> void:
+func test_without_a_source_it_says_so_and_what_to_do_and_who_joins_walks() -> void:
 	equal(_open(["--try"]), "")
 	_look()
 	is_true(_sheet().is_visible_in_tree())
-	contains(_text("Trouble"), "You have no motion source")
+	contains(_text("Trouble"), "you walk by keys")
 	contains(_text("Trouble"), "--xbus")
-	is_false(_text("Trouble").contains("a clip of ours"))
 	not_null(_body(), "somebody stands there nevertheless")
-	_press_join()
-	equal(_asked, [] as Array[String])
-	contains(_text("Session"), "You have no motion source")
-
-
-func test_the_default_moves_nobody_before_somebody_joins() -> void:
-	equal(_open(["--try", "--default-bvh=" + CLIP]), "")
-	_look()
-	equal(_context.people.count(), 0)
-	contains(_text("Trouble"), "a clip of ours moves you")
+	equal(_context.people.count(), 0, "people before somebody joins")
 	_press_join()
 	equal(_asked, ["join"] as Array[String])
 	equal(_context.people.count(), 1)
+	is_true(_context.people.source_of(0) is WalkerSource)
 
 
 func test_a_source_moves_the_body_and_is_told_of() -> void:

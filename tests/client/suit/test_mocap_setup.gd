@@ -23,9 +23,10 @@ func test_sources_become_people() -> void:
 	equal(_desk.guide(1.0), "")
 
 
-func test_nothing_to_move_by_is_reported() -> void:
-	contains(_open([]), "--bvh")
-	equal(_desk.people.count(), 0)
+func test_who_has_nothing_to_move_by_walks() -> void:
+	equal(_open([]), "")
+	equal(_desk.people.count(), 1)
+	is_true(_desk.people.source_of(0) is WalkerSource)
 
 
 func test_the_panel_s_key() -> void:
