@@ -122,13 +122,20 @@ class Screen:
 
     def key(self, *names: str) -> None:
         """Presses keys together: the last one while the others are down."""
-        codes = [self._code(KEYS.get(name, name)) for name in names]
-        for code in codes:
-            xtest.fake_input(self.display, X.KeyPress, code)
-            self._rest()
-        for code in reversed(codes):
-            xtest.fake_input(self.display, X.KeyRelease, code)
-            self._rest()
+        for name in names:
+            self.hold(name)
+        for name in reversed(names):
+            self.let_go(name)
+
+    def hold(self, name: str) -> None:
+        """Presses a key and keeps it down."""
+        xtest.fake_input(self.display, X.KeyPress, self._code(KEYS.get(name, name)))
+        self._rest()
+
+    def let_go(self, name: str) -> None:
+        """Lets a key go that is held."""
+        xtest.fake_input(self.display, X.KeyRelease, self._code(KEYS.get(name, name)))
+        self._rest()
 
     def type(self, text: str) -> None:
         """Writes a text with the keyboard."""

@@ -43,6 +43,8 @@ func begin_frame() -> void:
 		return
 	var is_seated: bool = SeatControls.find_seat(get_tree()) != null
 	_controls.hands_off = context.is_menu_open() or is_seated
+	# The arrow keys turn who walks.
+	context.scene.view.camera.takes_keys = _controls.hands_off
 	if _controls.hands_off and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
 		Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
 	_meet_actor()
@@ -66,6 +68,7 @@ func report() -> Dictionary:
 		"corrections": prediction.corrections,
 		"pull_m_p99": prediction.pulls.percentile(0.99),
 		"position": [place.x, place.y, place.z],
+		"heading": _controls.heading,
 		"mode": prediction.mover.get_mode(),
 	}
 	return {"walking": rows}

@@ -33,6 +33,9 @@ func report() -> Dictionary:
 			. append(
 				{
 					"name": walker.person.name,
+				"position": _numbers(walker.mover.get_position()),
+				"hips": _numbers(walker.person.hips()),
+				"mode": walker.mover.get_mode(),
 					"inputs": walker.inputs,
 					"corrections": walker.corrections,
 				}
@@ -62,6 +65,10 @@ func _on_commanded(
 func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
 	if p_body != null and not p_row.is_person():
 		_bodies.add_body(p_row.id, p_body)
+
+
+static func _numbers(p_place: Vector3) -> Array[float]:
+	return [p_place.x, p_place.y, p_place.z]
 
 
 func _forget(p_person: int) -> void:

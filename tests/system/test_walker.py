@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: MIT
+"""Walks without a suit: by a list, and by the keys and the mouse of a window."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from .conftest import WINDOW_LIMIT_S, World
+from .pictures import Window
+
+Report = dict[str, Any]
+
+
+def place(told: Report, key: str = "position") -> tuple[float, float]:
+    """Where the walker is over the ground, m; NaN where there is none."""
+    rows = told.get("walkers", [])
+    return (rows[0][key][0], rows[0][key][2]) if rows else (math.nan, math.nan)
+
+
+def test_who_names_no_source_walks_with_a_body(world: World) -> None:
+    server = world.server()
+    trainee = world.client("trainee", "--name=Ada", "--walk=1.2:0:25:1000", "--fps=60")
+    begin = place(server.await_report(lambda told: not math.isnan(place(told)[0])))
+    told = server.await_report(lambda told: math.dist(place(told), begin) > 1.5)
+    # The body goes with it, on its feet.
+    assert math.dist(place(told), place(told, "hips")) < 1.0, told["walkers"]
+    server.await_report(lambda told: told["people"][0]["count"] > 16 * 120)
+    here = trainee.await_report(lambda seen: seen["walking"]["tick"] > 0)["walking"]
+    assert here["corrections"] >= 1
+    server.mark()
+    assert trainee.end() == 0, trainee.log()
+    server.await_line("'Ada' (", "left")
+    assert "ERROR" not in trainee.log()
+    assert "ERROR" not in server.log()
+
+
+def test_keys_and_mouse_walk_in_a_window(world: World, display: dict[str, str]) -> None:
+    server = world.server()
+    window = Window(world, display, "--role=trainee", "--quality=low", "--name=Bea")
+    begin = place(server.await_report(lambda told: not math.isnan(place(told)[0]), WINDOW_LIMIT_S))
+    window.process.await_report(lambda seen: seen["walking"].get("tick", -1) > 0, WINDOW_LIMIT_S)
+    window.screen.hold("w")
+    server.await_report(lambda told: math.dist(place(told), begin) > 1.0, WINDOW_LIMIT_S)
+    window.screen.let_go("w")
+    still = place(server.fresh_report())
+    heading = window.process.fresh_report()["walking"]["heading"]
+    window.screen.hold("left")
+    window.process.await_report(
+        lambda seen: abs(seen["walking"]["heading"] - heading) > 0.5, WINDOW_LIMIT_S
+    )
+    window.screen.let_go("left")
+    assert not math.isnan(still[0])
+    window.close()
+    assert "ERROR" not in server.log()
