@@ -1,10 +1,9 @@
 extends Bench
-## How a walker's body follows its mover: search, cost of a tick, feet that slide, place, heading and
-## answer, on a plain mover on level ground.
+## How a walker's body follows its mover: search, cost, sliding feet, place, heading and answer.
 ##
-## Options: --set=FILE (default the walker's), --seed=1 (of random walks), --walks=10 (random walks of
-## 30 s), --walkers=64, --searches=2000, --rows=10000 (frames that are searched), --cases=search|
-## cost|gaits|walks|answers (again for more; default all).
+## A plain mover on level ground. Options: --set=FILE (default the walker's), --seed=1 (of random
+## walks), --walks=10 (random walks of 30 s), --walkers=64, --searches=2000, --rows=10000 (frames
+## that are searched), --cases=search|cost|gaits|walks|answers (again for more; default all).
 
 const PlainMover: GDScript = preload("motion_set/plain_mover.gd")
 const ShownBody: GDScript = preload("motion_set/shown_body.gd")

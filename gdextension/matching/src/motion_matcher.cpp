@@ -317,7 +317,7 @@ void MotionMatcher::_keep_above_ground(const Wish &p_wish, Pose &r_pose) const {
 }
 
 void MotionMatcher::advance(float p_delta, const Wish &p_wish) {
-	if (_set == nullptr || !p_wish.is_finite() || !(p_delta > 0.0f && p_delta < 1.0f)) {
+	if (_set == nullptr || !p_wish.is_sound() || !(p_delta > 0.0f && p_delta < 1.0f)) {
 		return;
 	}
 	const float speed = horizontal(p_wish.velocity);

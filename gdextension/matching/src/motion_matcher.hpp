@@ -22,9 +22,11 @@ struct Wish {
 	/// Height of the ground under each foot; NaN: as high as the mover.
 	std::array<float, 2> ground{ std::numeric_limits<float>::quiet_NaN(), std::numeric_limits<float>::quiet_NaN() };
 
-	bool is_finite() const {
-		return position.is_finite() && velocity.is_finite() && wished_velocity.is_finite() && std::isfinite(heading) &&
-				std::isfinite(wished_heading);
+	/// Whether somebody can be there and move so.
+	bool is_sound() const {
+		// Comparisons that NaN fails, too.
+		return position.length() < 1e6f && velocity.length() < 1e3f && wished_velocity.length() < 1e3f &&
+				std::fabs(heading) < 1e3f && std::fabs(wished_heading) < 1e3f;
 	}
 };
 
@@ -37,7 +39,7 @@ public:
 	const Body &body() const { return _body; }
 	/// Stands at a place from now on.
 	void reset(const Vec3 &p_position, float p_heading);
-	/// A tick. A wish that is not finite, or no set, changes nothing.
+	/// A tick. A wish that is not sound, or no set, changes nothing.
 	void advance(float p_delta, const Wish &p_wish);
 	/// In the world, m.
 	const Pose &pose() const { return _pose; }

@@ -187,6 +187,9 @@ TEST(bad_wishes_change_nothing) {
 	wish = Wish();
 	wish.wished_heading = std::numeric_limits<float>::infinity();
 	made.advance(DELTA, wish);
+	wish = Wish();
+	wish.velocity.z = 1e30f;
+	made.advance(DELTA, wish);
 	made.advance(-1.0f, Wish());
 	made.advance(std::numeric_limits<float>::quiet_NaN(), Wish());
 	CHECK(is_same(made.pose(), before));

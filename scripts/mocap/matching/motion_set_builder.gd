@@ -4,8 +4,6 @@ extends RefCounted
 
 ## Frames a second of a set.
 const RATE: float = 60.0
-## The unit of Carnegie Mellon's files: 0.45 to the inch, m.
-const CMU_UNIT: String = "cmu"
 
 ## What is wrong, or an empty text.
 var error: String = ""
@@ -27,8 +25,8 @@ func add_table(p_table: MotionSetTable, p_folder: String, p_unit: String = "") -
 		_add(row, source)
 
 
-## Adds a clip of a source that plays a file: its whole motion is looked at, from [param p_from_s] up
-## to [param p_to_s] (0: its end) is kept.
+## Adds a clip of a source that plays a file: its whole motion is looked at, from [param p_from_s]
+## up to [param p_to_s] (0: its end) is kept.
 func add_source(
 	p_source: BvhSource, p_name: String, p_stance: int, p_from_s: float, p_to_s: float
 ) -> void:

@@ -6,8 +6,8 @@ extends RefCounted
 ## # file      stance  from_s  to_s  name
 ## 02_01.bvh   stand   0.2     2.6   walk 1.2
 ## [/codeblock]
-## Files are named from the folder of the table, or from the one that is given. Times are of the clip as
-## it is played, s; a to_s of 0 is its end.
+## Files are named from the folder of the table, or from the one that is given. Times are of the
+## clip as it is played, s; a to_s of 0 is its end.
 
 ## Names of the stances.
 const STANCES: Dictionary[String, MotionMatcher.Stance] = {

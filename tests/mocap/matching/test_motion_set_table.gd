@@ -3,7 +3,7 @@ extends TestCase
 
 
 func test_lines_are_clips() -> void:
-	var text: String = "# clips\n\na.bvh stand 0.5 2 walk slowly\n\tb.bvh\tprone 0 0 crawl # to its end\n"
+	var text: String = "# clips\n\na.bvh stand 0.5 2 walk slowly\n\tb.bvh\tprone 0 0 crawl # on\n"
 	var table: MotionSetTable = MotionSetTable.parse(text, "set.txt")
 	equal(table.error, "")
 	equal(table.rows.size(), 2)
