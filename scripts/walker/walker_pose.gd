@@ -25,10 +25,10 @@ func _init() -> void:
 	_matcher.set_motion_set(_set)
 
 
-## Takes the size of the body: height of the hips, m, and lengths as [member PersonCard.lengths].
-func set_body(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
+## Takes the body that it moves: height of the hips, m, and the joints.
+func set_body(p_hip_height: float, p_joints: PersonSkeleton) -> void:
 	hip_height = p_hip_height
-	_matcher.set_body(p_hip_height, p_lengths)
+	_matcher.set_joints(p_hip_height, p_joints.joints_in_parent, p_joints.joints_in_limb)
 
 
 ## Begins where the mover is.

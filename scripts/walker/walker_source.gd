@@ -43,10 +43,10 @@ func describe() -> String:
 	return "a walker, by keys or a stick"
 
 
-## The body has hips of this height, m.
-func embody(p_hip_height: float) -> void:
+## The body that the server has made: height of its hips, m, and its joints.
+func embody(p_hip_height: float, p_joints: PersonSkeleton) -> void:
 	_scale = p_hip_height / get_hip_height() if p_hip_height > 0.0 else 1.0
-	_pose.set_body(p_hip_height, PackedFloat32Array())
+	_pose.set_body(p_hip_height, p_joints)
 
 
 ## Begins anew: another server, or another body.

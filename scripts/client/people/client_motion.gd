@@ -74,7 +74,7 @@ func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float
 		Log.warning("client", "hands may miss what they hold: " + fault)
 	var walker: WalkerSource = source as WalkerSource
 	if walker != null:
-		walker.embody(p_hips)
+		walker.embody(p_hips, p_joints)
 	_body.clear()
 	_has_body = true
 	_truth_tick = -1

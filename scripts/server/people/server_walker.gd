@@ -39,7 +39,7 @@ var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
 func _init(p_person: ServerPerson) -> void:
 	person = p_person
 	_root_mode = person.ragdoll.motor.root_mode
-	_pose.set_body(person.ragdoll.get_hip_height(), PackedFloat32Array())
+	_pose.set_body(person.ragdoll.get_hip_height(), person.joints)
 	var frame: Transform3D = person.ragdoll.motor.get_frame()
 	mover.place(frame * person.origin, frame.basis.get_euler().y)
 	_pose.restart(mover)
