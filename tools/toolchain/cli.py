@@ -24,6 +24,7 @@ from . import (
     studio,
     suit,
     wall,
+    webcam,
     xbus,
 )
 from .console import Failure, say
@@ -61,6 +62,7 @@ def main(arguments: list[str]) -> int:
         "studio": studio.main,
         "suit-emulator": suit.main,
         "wall": wall.main,
+        "webcam": webcam.main,
         "options-doc": _options_doc,
     }
     if not arguments or arguments[0].startswith("-"):
@@ -118,7 +120,8 @@ def _role(role: str, arguments: list[str]) -> NoReturn:
         # Before minutes of set-up.
         check_options(f"./run {role}", arguments, help_texts.read(role))
     prepare(export=True)
-    environment = {"PWD": str(user_path(""))}
+    webcam.prepare(arguments)
+    environment = {"PWD": str(user_path("")), webcam.VARIABLE: str(webcam.FOLDER)}
     environment["DISMOUNT_DEFAULT_BVH"] = os.environ.get("DISMOUNT_DEFAULT_BVH") or str(CLIP)
     command = [str(SERVER_BINARY if role == "server" else CLIENT_BINARY), "--no-header"]
     if role == "server" or not real_display():

@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, level, load, package, platform_watch, studio, suit, wall
+from . import demo, latency, level, load, package, platform_watch, studio, suit, wall, webcam
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -40,6 +40,7 @@ Motion capture without a suit
   ./run motion-sender       plays a motion file as MVN's stream, VMC, SlimeVR, a webcam and others
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
+  ./run webcam --setup      what a webcam as a suit needs; --source=webcam does it by itself
 
 Vehicles
   ./run platform-watch      shows what a motion platform would be sent
@@ -131,6 +132,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "studio": studio.HELP,
         "suit-emulator": suit.HELP,
         "wall": wall.HELP,
+        "webcam": webcam.HELP,
         "motion-sender": _sender(godot),
         "xbus-decode": _xbus_decode(),
     }

@@ -1,0 +1,166 @@
+# SPDX-License-Identifier: MIT
+"""Runs the models over pictures and sends what they see to the client, in datagrams of JSON.
+
+Each picture gives one datagram for each person; twice a second one tells how it goes, and a few
+times a second one has a small picture for the panel. docs/sources.md names their fields.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import socket
+import sys
+import time
+from collections.abc import Iterator
+from typing import Any
+
+import cv2
+
+from . import environment
+from .health import Health
+from .models import Array, Detector, Landmarker
+from .people import People, Person
+from .pictures import Camera, Film, PictureError, open_pictures
+
+STATUS_S = 0.5
+PREVIEW_S = 0.15
+PREVIEW_WIDTH = 320
+PREVIEW_QUALITY = 60
+# A datagram is no longer than this, bytes.
+MOST_BYTES = 60000
+# A camera or film that cannot be opened is tried again after this time, s.
+AGAIN_S = 2.0
+
+
+class Sender:
+    """Sends messages to the client's port on this machine, or writes them as lines."""
+
+    def __init__(self, port: int) -> None:
+        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+        self._port = port
+
+    def send(self, message: dict[str, Any]) -> None:
+        """Sends a message; without a port it is a line on standard output."""
+        text = json.dumps(message, separators=(",", ":"))
+        if self._port == 0:
+            print(text)
+        else:
+            self.send_bytes(text.encode())
+
+    def send_bytes(self, data: bytes) -> None:
+        """Sends a datagram; without a port nobody wants it."""
+        if self._port > 0 and len(data) <= MOST_BYTES:
+            try:
+                self._socket.sendto(data, ("127.0.0.1", self._port))
+            except OSError:
+                # The client is closing, or starting: its port is not open now.
+                return
+
+
+def run(what: str, port: int, most: int, parent: int, threads: int, every: bool) -> int:
+    """Looks through pictures until the client ends, or a film that is not looped does."""
+    sender = Sender(port)
+    detector = Detector(environment.models(), threads)
+    landmarker = Landmarker(environment.models(), threads)
+    while _is_alive(parent):
+        try:
+            pictures = open_pictures(what, every)
+            try:
+                _look_through(pictures, People(detector, landmarker, most), sender, parent, most)
+            finally:
+                pictures.close()
+            if every:
+                return 0
+        except PictureError as error:
+            sender.send({"status": {"faults": [str(error)]}})
+            if every:
+                print(error, file=sys.stderr)
+                return 1
+            _wait(AGAIN_S, parent)
+    return 0
+
+
+def fault_until_end(text: str, port: int, parent: int) -> int:
+    """Tells the client why there is nothing, until it ends."""
+    sender = Sender(port)
+    while _is_alive(parent):
+        sender.send({"status": {"faults": [text]}})
+        _wait(STATUS_S, parent)
+    return 1
+
+
+def _look_through(
+    pictures: Film | Camera, people: People, sender: Sender, parent: int, most: int
+) -> None:
+    health = Health(most)
+    told_s = shown_s = checked_s = -1e9
+    while (taken := pictures.read()) is not None:
+        taken_s, picture = taken
+        began = time.monotonic()
+        seen = people.advance(cv2.cvtColor(picture, cv2.COLOR_BGR2RGB), taken_s)
+        height, width = picture.shape[:2]
+        for person in seen:
+            sender.send(message_of(person, taken_s, width, height))
+        now = time.monotonic()
+        health.note(taken_s, picture, len(seen), people.count, now - began)
+        if now - told_s >= STATUS_S:
+            told_s = now
+            sender.send({"status": status_of(health, pictures, people)})
+        if now - shown_s >= PREVIEW_S:
+            shown_s = now
+            sender.send_bytes(_preview(picture))
+        if now - checked_s >= AGAIN_S:
+            checked_s = now
+            if not _is_alive(parent):
+                return
+
+
+def message_of(person: Person, taken_s: float, width: int, height: int) -> dict[str, Any]:
+    """The datagram of one person in one picture."""
+    landmarks = person.landmarks
+    assert landmarks is not None
+    image = landmarks.image.copy()
+    image[:, :3] /= width
+    return {
+        "time": round(taken_s, 6),
+        "person": person.number,
+        "picture": [width, height],
+        "score": round(landmarks.score, 3),
+        "world_landmarks": list(_rows(landmarks.world)),
+        "landmarks": list(_rows(image)),
+    }
+
+
+def status_of(health: Health, pictures: Film | Camera, people: People) -> dict[str, Any]:
+    """How it goes, for the panel."""
+    return {
+        "name": pictures.name,
+        "rate_hz": round(health.rate_hz(), 1),
+        "work_ms": round(health.work_s * 1000.0, 1),
+        "people": people.count,
+        "faults": health.faults(),
+    }
+
+
+def _rows(values: Array) -> Iterator[list[float]]:
+    for row in values:
+        yield [round(float(value), 4) for value in row]
+
+
+def _preview(picture: Array) -> bytes:
+    height = picture.shape[0] * PREVIEW_WIDTH // picture.shape[1]
+    small = cv2.resize(picture, (PREVIEW_WIDTH, height), interpolation=cv2.INTER_AREA)
+    _done, jpeg = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, PREVIEW_QUALITY])
+    return bytes(jpeg)
+
+
+def _is_alive(parent: int) -> bool:
+    """Whether the client, whose process is our parent, still runs; 0 is nobody to end with."""
+    return parent == 0 or os.getppid() == parent
+
+
+def _wait(seconds: float, parent: int) -> None:
+    end = time.monotonic() + seconds
+    while time.monotonic() < end and _is_alive(parent):
+        time.sleep(0.1)
