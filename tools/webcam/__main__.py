@@ -22,7 +22,7 @@ from pathlib import Path
 # As a folder that is run it has no package around it.
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent))
 
-from webcam import environment  # noqa: E402
+from webcam import device, environment, sender
 
 
 def main(arguments: list[str]) -> int:
@@ -40,12 +40,24 @@ def main(arguments: list[str]) -> int:
         return 0 if environment.is_ready() else 1
     if given.what == "setup":
         return _set_up()
+    if not given.every_picture and not sender.say_until(
+        lambda: _fault(given.pictures), given.port, given.parent
+    ):
+        return 0
     if not environment.is_ready():
         return 3
     if Path(sys.prefix).resolve() != environment.folder().resolve():
         own = str(environment.python())
         os.execv(own, [own, str(Path(__file__).parent), *arguments])
     return _run(given)
+
+
+def _fault(pictures: str) -> str:
+    try:
+        device.check(pictures)
+    except device.PictureError as error:
+        return str(error)
+    return ""
 
 
 def _set_up() -> int:

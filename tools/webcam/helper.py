@@ -7,9 +7,6 @@ times a second one has a small picture for the panel. docs/sources.md names thei
 
 from __future__ import annotations
 
-import json
-import os
-import socket
 import sys
 import time
 from collections.abc import Iterator
@@ -18,44 +15,18 @@ from typing import Any
 import cv2
 
 from . import environment
+from .device import PictureError
 from .health import Health
 from .models import Array, Detector, Landmarker
 from .people import People, Person
-from .pictures import Camera, Film, PictureError, open_pictures
+from .pictures import Camera, Film, open_pictures
+from .sender import STATUS_S, Sender, is_alive, wait
 
-STATUS_S = 0.5
 PREVIEW_S = 0.15
 PREVIEW_WIDTH = 320
 PREVIEW_QUALITY = 60
-# A datagram is no longer than this, bytes.
-MOST_BYTES = 60000
 # A camera or film that cannot be opened is tried again after this time, s.
 AGAIN_S = 2.0
-
-
-class Sender:
-    """Sends messages to the client's port on this machine, or writes them as lines."""
-
-    def __init__(self, port: int) -> None:
-        self._socket = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
-        self._port = port
-
-    def send(self, message: dict[str, Any]) -> None:
-        """Sends a message; without a port it is a line on standard output."""
-        text = json.dumps(message, separators=(",", ":"))
-        if self._port == 0:
-            print(text)
-        else:
-            self.send_bytes(text.encode())
-
-    def send_bytes(self, data: bytes) -> None:
-        """Sends a datagram; without a port nobody wants it."""
-        if self._port > 0 and len(data) <= MOST_BYTES:
-            try:
-                self._socket.sendto(data, ("127.0.0.1", self._port))
-            except OSError:
-                # The client is closing, or starting: its port is not open now.
-                return
 
 
 def run(what: str, port: int, most: int, parent: int, threads: int, every: bool) -> int:
@@ -63,7 +34,7 @@ def run(what: str, port: int, most: int, parent: int, threads: int, every: bool)
     sender = Sender(port)
     detector = Detector(environment.models(), threads)
     landmarker = Landmarker(environment.models(), threads)
-    while _is_alive(parent):
+    while is_alive(parent):
         try:
             pictures = open_pictures(what, every)
             try:
@@ -73,21 +44,12 @@ def run(what: str, port: int, most: int, parent: int, threads: int, every: bool)
             if every:
                 return 0
         except PictureError as error:
-            sender.send({"status": {"faults": [str(error)]}})
+            sender.send_fault(str(error))
             if every:
                 print(error, file=sys.stderr)
                 return 1
-            _wait(AGAIN_S, parent)
+            wait(AGAIN_S, parent)
     return 0
-
-
-def fault_until_end(text: str, port: int, parent: int) -> int:
-    """Tells the client why there is nothing, until it ends."""
-    sender = Sender(port)
-    while _is_alive(parent):
-        sender.send({"status": {"faults": [text]}})
-        _wait(STATUS_S, parent)
-    return 1
 
 
 def _look_through(
@@ -112,7 +74,7 @@ def _look_through(
             sender.send_bytes(_preview(picture))
         if now - checked_s >= AGAIN_S:
             checked_s = now
-            if not _is_alive(parent):
+            if not is_alive(parent):
                 return
 
 
@@ -153,14 +115,3 @@ def _preview(picture: Array) -> bytes:
     small = cv2.resize(picture, (PREVIEW_WIDTH, height), interpolation=cv2.INTER_AREA)
     _done, jpeg = cv2.imencode(".jpg", small, [cv2.IMWRITE_JPEG_QUALITY, PREVIEW_QUALITY])
     return bytes(jpeg)
-
-
-def _is_alive(parent: int) -> bool:
-    """Whether the client, whose process is our parent, still runs; 0 is nobody to end with."""
-    return parent == 0 or os.getppid() == parent
-
-
-def _wait(seconds: float, parent: int) -> None:
-    end = time.monotonic() + seconds
-    while time.monotonic() < end and _is_alive(parent):
-        time.sleep(0.1)

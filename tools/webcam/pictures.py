@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import os
 import threading
 import time
 from pathlib import Path
 
 import cv2
 
+from .device import PictureError, check, silence_of
 from .models import Array
 
 WIDTH, HEIGHT, RATE = 1280, 720, 30
@@ -21,18 +21,13 @@ USUAL_RATE = 25.0
 MOST_WIDTH = 1280
 
 
-class PictureError(Exception):
-    """Why there are no pictures, as a sentence for people."""
-
-
 class Film:
     """A film at its own rate, again and again."""
 
     def __init__(self, path: str, every_picture: bool) -> None:
         self._path = path
         self._every = every_picture
-        if not Path(path).is_file():
-            raise PictureError(f"there is no film {path}")
+        check(path)
         self._reader = cv2.VideoCapture(path)
         rate = self._reader.get(cv2.CAP_PROP_FPS) if self._reader.isOpened() else 0.0
         self.rate = rate if 1.0 <= rate <= 1000.0 else USUAL_RATE
@@ -42,7 +37,7 @@ class Film:
         self.name = f"the film {Path(path).name}"
 
     def read(self) -> tuple[float, Array] | None:
-        """The time, s, and the next picture that is due; None at the end, where it is not looped."""
+        """The time, s, and the next picture that is due; None at the end of one not looped."""
         if not self._every:
             due = int((time.monotonic() - self._began_s) * self.rate)
             while self._number < due and self._reader.grab():
@@ -76,11 +71,10 @@ class Camera:
 
     def __init__(self, number: int) -> None:
         self.name = f"camera {number}"
-        self._device = f"/dev/video{number}"
-        _check(number, self._device)
+        check(str(number))
         self._reader = cv2.VideoCapture(number, cv2.CAP_V4L2)
         if not self._reader.isOpened():
-            raise PictureError(_taken(number, self._device))
+            raise PictureError(silence_of(number))
         # Uncompressed, USB 2 carries five such pictures a second.
         self._reader.set(cv2.CAP_PROP_FOURCC, cv2.VideoWriter.fourcc(*"MJPG"))
         self._reader.set(cv2.CAP_PROP_FRAME_WIDTH, WIDTH)
@@ -98,7 +92,7 @@ class Camera:
         """The time, s of Unix time, and a picture that was not read before."""
         with self._news:
             if not self._news.wait_for(lambda: self._newest is not None, SILENT_S):
-                raise PictureError(_taken(self._number, self._device))
+                raise PictureError(silence_of(self._number))
             newest, self._newest = self._newest, None
         return newest
 
@@ -131,44 +125,3 @@ def _shrunk(picture: Array) -> Array:
         return picture
     scale = MOST_WIDTH / width
     return cv2.resize(picture, None, fx=scale, fy=scale, interpolation=cv2.INTER_AREA)
-
-
-def _check(number: int, device: str) -> None:
-    """Says what is wrong with a camera before OpenCV says only that something is."""
-    if not os.path.exists(device):
-        others = sorted(one.name.removeprefix("video") for one in Path("/dev").glob("video*"))
-        there = f"there are {', '.join(others)}" if others else "plug one in"
-        raise PictureError(f"there is no camera {number}: {there}")
-    try:
-        os.close(os.open(device, os.O_RDWR | os.O_NONBLOCK))
-    except PermissionError:
-        advice = "add yourself to the group 'video' and log in again"
-        raise PictureError(f"this user may not use camera {number}: {advice}") from None
-    except OSError as error:
-        raise PictureError(f"camera {number} cannot be opened: {error.strerror}") from None
-
-
-def _taken(number: int, device: str) -> str:
-    """Why an existing camera gives no pictures."""
-    who = _users(device)
-    if who:
-        return f"camera {number} is in use by {', '.join(who)}: end it, or choose another camera"
-    return (
-        f"camera {number} gives no pictures: another program may be using it, or it is only a"
-        " second channel of the same camera (try the next number)"
-    )
-
-
-def _users(device: str) -> list[str]:
-    """Names of this user's other programs that have a file open."""
-    names = set()
-    for entry in Path("/proc").glob("[0-9]*"):
-        if entry.name == str(os.getpid()):
-            continue
-        try:
-            files = {os.readlink(one) for one in (entry / "fd").iterdir()}
-            if device in files:
-                names.add((entry / "comm").read_text(encoding="utf-8").strip())
-        except OSError:
-            continue
-    return sorted(names)

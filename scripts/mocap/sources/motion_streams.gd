@@ -60,7 +60,7 @@ func open(p_address: SourceAddress, p_number: int) -> String:
 	var fault: String = ""
 	if p_address.is_tcp:
 		stream.open_tcp(p_address.host, p_address.port)
-	elif reader is WebcamReader and p_address.port == 0:
+	elif reader is WebcamReader and p_address.text != "":
 		fault = stream.open_local()
 		var what: String = _pictures_of(p_address)
 		if fault == "":

@@ -2,16 +2,16 @@ class_name LandmarkFilter
 extends RefCounted
 ## Smooths landmarks: the slower a point moves, the more; and the more, the worse it is seen
 ## (Casiez, Roussel, Vogel 2012, "1 euro filter"). A point that moves at 1 m/s is late by about
-## 25 ms.
+## 20 ms.
 
 ## Cutoff of a point that rests, Hz.
 const REST_HZ: float = 1.5
 ## By how much a moving one's cutoff is higher, Hz per m/s.
-const HZ_PER_SPEED: float = 5.0
+const HZ_PER_SPEED: float = 8.0
 ## Cutoff of the speed, Hz.
 const SPEED_HZ: float = 2.0
-## Share of the cutoff of a point that is not seen at all.
-const UNSEEN_SHARE: float = 0.25
+## A point that is seen worse than the first is not believed at all, better than the second fully.
+const BELIEVED: Vector2 = Vector2(0.05, 0.5)
 ## After a pause of this length it begins anew, s.
 const PAUSE_S: float = 0.5
 
@@ -39,9 +39,10 @@ func smooth(
 	var speed_share: float = _share(SPEED_HZ, step_s)
 	for point: int in p_places.size():
 		var speed: Vector3 = (p_places[point] - _places[point]) / step_s
-		_speeds[point] = _speeds[point].lerp(speed, speed_share)
+		var believed: float = speed_share if p_seen[point] > BELIEVED.x else 0.0
+		_speeds[point] = _speeds[point].lerp(speed, believed)
 		var cutoff: float = _hz_at_rest + HZ_PER_SPEED * _speeds[point].length()
-		cutoff *= lerpf(UNSEEN_SHARE, 1.0, p_seen[point])
+		cutoff *= clampf(inverse_lerp(BELIEVED.x, BELIEVED.y, p_seen[point]), 0.0, 1.0)
 		_places[point] = _places[point].lerp(p_places[point], _share(cutoff, step_s))
 	return _places.duplicate()
 

@@ -1,22 +1,19 @@
 class_name LandmarkSolver
 extends RefCounted
 ## Makes poses of a person's landmarks, picture by picture: smooths them ([LandmarkFilter]), puts
-## them where the picture shows them ([CameraView]), keeps lengths ([LimbLengths]), turns limbs
-## ([LandmarkPose]) and places the person on the floor.
+## them where the picture shows them ([CameraView]), turns limbs ([LandmarkPose]), whose lengths are
+## the body's and never change, and places the person on the floor.
 
 ## Cutoff of the way over the floor at rest, Hz: distances from a camera are poorly seen.
 const TRAVEL_HZ: float = 0.5
 ## Height of the hips of somebody whose height is not known, m.
 const USUAL_HIPS_M: float = 0.93
-## The model's people are about so tall from hip to ankle, m.
-const MODEL_LEGS_M: float = 0.78
 
 var _settings: CameraSettings = CameraSettings.new()
 var _filter: LandmarkFilter = LandmarkFilter.new()
 var _ray_filter: LandmarkFilter = LandmarkFilter.new()
 var _way_filter: LandmarkFilter = LandmarkFilter.new(TRAVEL_HZ)
 var _view: CameraView = CameraView.new()
-var _lengths: LimbLengths = LimbLengths.new()
 var _pose: LandmarkPose = LandmarkPose.new()
 var _start: Vector3 = Vector3.INF
 var _usec: int = 0
@@ -37,11 +34,10 @@ func solve(p_frame: LandmarkFrame) -> PoseSample:
 	if has_rays:
 		places = _filter.smooth(places, p_frame.seen, p_frame.usec)
 		var rays: PackedVector3Array = _ray_filter.smooth(p_frame.rays, p_frame.seen, p_frame.usec)
+		places = _turned(places, rays)
 		hips = CameraView.place(places, rays, p_frame.seen)
 		if hips.is_finite():
-			places = _seen_along(places, rays, p_frame.seen, hips.z)
-			_lengths.learn(places, p_frame.seen, step_s)
-			_lengths.keep(places, p_frame.seen)
+			places = _seen_along(places, rays, hips.z)
 			_learn_up(places, p_frame.seen, step_s)
 			places = _level(places)
 	var pose: PoseSample = _pose.make(places, p_frame.seen, step_s)
@@ -62,17 +58,26 @@ func tilt() -> float:
 	return _view.tilt
 
 
+## Points as they are for the camera: the model sees each person as if straight ahead.
+static func _turned(
+	p_places: PackedVector3Array, p_rays: PackedVector3Array
+) -> PackedVector3Array:
+	var middle: Vector3 = p_rays[LandmarkPose.HIP] + p_rays[LandmarkPose.HIP + 1]
+	middle += p_rays[LandmarkPose.SHOULDER] + p_rays[LandmarkPose.SHOULDER + 1]
+	var turn: Quaternion = Quaternion(Vector3.FORWARD, middle.normalized())
+	var found: PackedVector3Array = []
+	for place: Vector3 in p_places:
+		found.append(turn * place)
+	return found
+
+
 ## Points as deep as the model says, and where the picture shows them.
 static func _seen_along(
-	p_places: PackedVector3Array,
-	p_rays: PackedVector3Array,
-	p_seen: PackedFloat32Array,
-	p_deep: float
+	p_places: PackedVector3Array, p_rays: PackedVector3Array, p_deep: float
 ) -> PackedVector3Array:
 	var found: PackedVector3Array = []
 	for point: int in p_places.size():
-		var deep: float = minf(p_places[point].z + p_deep, -0.1)
-		found.append(p_rays[point] * -deep)
+		found.append(p_rays[point] * -minf(p_places[point].z + p_deep, -0.1))
 	return found
 
 

@@ -28,10 +28,13 @@ const LINES: Array[Vector2i] = [
 const _SHOWN_USEC: int = 500000
 ## The greatest side of a picture, px.
 const _MAX_PX: int = 1024
+## Broken pictures after which no more are looked at.
+const _MAX_BROKEN: int = 3
 
 var _mutex: Mutex = Mutex.new()
 var _jpeg: PackedByteArray = PackedByteArray()
 var _number: int = 0
+var _broken: int = 0
 var _people: Dictionary[String, PackedVector3Array] = {}
 var _usec: Dictionary[String, int] = {}
 
@@ -67,15 +70,33 @@ func count() -> int:
 	return found
 
 
-## The newest picture, or null where there is none yet, or it is broken.
+## The newest picture, or null where there is none yet, or it is broken or large.
 func image() -> Image:
 	_mutex.lock()
 	var jpeg: PackedByteArray = _jpeg
 	_mutex.unlock()
-	if jpeg.is_empty():
+	var size: Vector2i = size_of(jpeg)
+	if _broken >= _MAX_BROKEN or mini(size.x, size.y) < 1 or maxi(size.x, size.y) > _MAX_PX:
 		return null
 	var found: Image = Image.new()
-	return found if found.load_jpg_from_buffer(jpeg) == OK else null
+	if found.load_jpg_from_buffer(jpeg) == OK:
+		return found
+	# The engine complains of each: nobody is to fill the log with that.
+	_broken += 1
+	return null
+
+
+## The size that a JPEG says it has, px; 0, 0 where it does not say.
+static func size_of(p_jpeg: PackedByteArray) -> Vector2i:
+	var at: int = 2
+	while at + 9 <= p_jpeg.size() and p_jpeg[at] == 0xFF:
+		var mark: int = p_jpeg[at + 1]
+		# Begin of a frame: baseline or progressive. Its height and width are big-endian.
+		if mark == 0xC0 or mark == 0xC2:
+			var height: int = p_jpeg[at + 5] << 8 | p_jpeg[at + 6]
+			return Vector2i(p_jpeg[at + 7] << 8 | p_jpeg[at + 8], height)
+		at += 2 + (p_jpeg[at + 2] << 8 | p_jpeg[at + 3])
+	return Vector2i.ZERO
 
 
 ## Landmarks of those who are seen at a time, µs.

@@ -80,7 +80,7 @@ func trouble(p_sender: String) -> String:
 
 func read(p_bytes: PackedByteArray, p_sender: String) -> Array[StreamSample]:
 	var none: Array[StreamSample] = []
-	if WebcamPicture.is_jpeg(p_bytes):
+	if helper != null and WebcamPicture.is_jpeg(p_bytes):
 		picture.take_picture(p_bytes)
 		return none
 	var message: Dictionary = _json.read(p_bytes)
