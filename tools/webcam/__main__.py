@@ -9,7 +9,8 @@ run --port=N              sends the landmarks of people to UDP port N of this ma
   --people=N              most people that are followed, 1 to 4 (1)
   --parent=PID            ends with this process
   --threads=N             processors that the models may use (1)
-  --every-picture         a film once, as fast as it goes, with its own times
+  --rate=HZ               pictures a second of a film (its own)
+    --every-picture         a film once, as fast as it goes, with its own times
 """
 
 from __future__ import annotations
@@ -34,6 +35,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("--people", type=int, default=1, choices=range(1, 5))
     parser.add_argument("--parent", type=int, default=0)
     parser.add_argument("--threads", type=int, default=1)
+    parser.add_argument("--rate", type=float, default=0.0)
     parser.add_argument("--every-picture", action="store_true")
     given = parser.parse_args(arguments)
     if given.what == "check":
@@ -78,9 +80,7 @@ def _run(given: argparse.Namespace) -> int:
     except ImportError as error:
         print(f"The webcam's environment is broken: {error}. Set it up anew.", file=sys.stderr)
         return 4
-    return helper.run(
-        given.pictures, given.port, given.people, given.parent, given.threads, given.every_picture
-    )
+    return helper.run(given)
 
 
 if __name__ == "__main__":

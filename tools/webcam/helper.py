@@ -7,6 +7,7 @@ times a second one has a small picture for the panel. docs/sources.md names thei
 
 from __future__ import annotations
 
+import argparse
 import sys
 import time
 from collections.abc import Iterator
@@ -29,16 +30,19 @@ PREVIEW_QUALITY = 60
 AGAIN_S = 2.0
 
 
-def run(what: str, port: int, most: int, parent: int, threads: int, every: bool) -> int:
-    """Looks through pictures until the client ends, or a film that is not looped does."""
-    sender = Sender(port)
-    detector = Detector(environment.models(), threads)
-    landmarker = Landmarker(environment.models(), threads)
-    while is_alive(parent):
+def run(given: argparse.Namespace) -> int:
+    """Looks through pictures until the client ends, or a film that is not looped does; what is
+    given are the options of __main__.py."""
+    sender = Sender(given.port)
+    every = given.every_picture
+    detector = Detector(environment.models(), given.threads)
+    landmarker = Landmarker(environment.models(), given.threads)
+    while is_alive(given.parent):
         try:
-            pictures = open_pictures(what, every)
+            pictures = open_pictures(given.pictures, every, given.rate)
             try:
-                _look_through(pictures, People(detector, landmarker, most), sender, parent, most)
+                people = People(detector, landmarker, given.people)
+                _look_through(pictures, people, sender, given.parent, given.people)
             finally:
                 pictures.close()
             if every:
@@ -48,7 +52,7 @@ def run(what: str, port: int, most: int, parent: int, threads: int, every: bool)
             if every:
                 print(error, file=sys.stderr)
                 return 1
-            wait(AGAIN_S, parent)
+            wait(AGAIN_S, given.parent)
     return 0
 
 

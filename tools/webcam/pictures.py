@@ -24,12 +24,13 @@ MOST_WIDTH = 1280
 class Film:
     """A film at its own rate, again and again."""
 
-    def __init__(self, path: str, every_picture: bool) -> None:
+    def __init__(self, path: str, every_picture: bool, rate: float) -> None:
         self._path = path
         self._every = every_picture
         check(path)
         self._reader = cv2.VideoCapture(path)
-        rate = self._reader.get(cv2.CAP_PROP_FPS) if self._reader.isOpened() else 0.0
+        own = self._reader.get(cv2.CAP_PROP_FPS) if self._reader.isOpened() else 0.0
+        rate = rate or own
         self.rate = rate if 1.0 <= rate <= 1000.0 else USUAL_RATE
         self._began_s = time.monotonic()
         self._number = 0  # Of the next picture.
@@ -114,9 +115,9 @@ class Camera:
                 self._news.notify()
 
 
-def open_pictures(what: str, every_picture: bool = False) -> Film | Camera:
+def open_pictures(what: str, every_picture: bool, rate: float) -> Film | Camera:
     """A camera by its number, or else a film."""
-    return Camera(int(what)) if what.isdigit() else Film(what, every_picture)
+    return Camera(int(what)) if what.isdigit() else Film(what, every_picture, rate)
 
 
 def _shrunk(picture: Array) -> Array:

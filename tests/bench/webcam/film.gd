@@ -1,14 +1,15 @@
 extends SceneTree
-## Films an avatar that moves by a clip in a world, as a webcam would see it, and writes what is true
-## beside: run by the benchmark [code]webcam[/code] with the engine's [code]--write-movie[/code].
+## Films an avatar that moves by a clip in a world, as a webcam would see it, and writes what is
+## true beside: run by the benchmark [code]webcam[/code] with the engine's --write-movie.
 ##
-## Options behind [code]--[/code]: --world=NAME --avatar=NAME --clip=FILE --from=S --turn=DEG (of the
-## person about the vertical, 0 looks at the camera) --travel=SHARE (of the clip's way over the floor)
-## --place=NAME (of [constant PLACES]) --rate=FPS --seconds=S --truth=FILE.
+## Options behind [code]--[/code]: --world=NAME --avatar=NAME --clip=FILE --from=S --turn=DEG (of
+## the person about the vertical, 0 looks at the camera) --travel=SHARE (of the clip's way over the
+## floor) --place=NAME (of [constant PLACES]) --rate=FPS --seconds=S --truth=FILE.
 ##
 ## The truth is a JSON object: "fov_deg" (horizontal), "hip_height" and "frames", each with "time"
-## (s), "limbs" (four numbers each, rotations from the reset pose, seen by a camera that is level)
-## and "root" (m, on the floor below the camera), and "in_view": whether all of the person is.
+## (s), "limbs" (four numbers each, rotations from the reset pose, seen by a camera that is level),
+## "root" (m, on the floor below the camera), "joints" (three numbers each, m, from the camera), and
+## "in_view": whether all of the person is.
 
 ## Where cameras stand: height above the floor, distance from the person, how far the person is to
 ## the side (m) and how far the camera looks down (degrees).
