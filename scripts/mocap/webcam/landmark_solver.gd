@@ -59,9 +59,7 @@ func tilt() -> float:
 
 
 ## Points as they are for the camera: the model sees each person as if straight ahead.
-static func _turned(
-	p_places: PackedVector3Array, p_rays: PackedVector3Array
-) -> PackedVector3Array:
+static func _turned(p_places: PackedVector3Array, p_rays: PackedVector3Array) -> PackedVector3Array:
 	var middle: Vector3 = p_rays[LandmarkPose.HIP] + p_rays[LandmarkPose.HIP + 1]
 	middle += p_rays[LandmarkPose.SHOULDER] + p_rays[LandmarkPose.SHOULDER + 1]
 	var turn: Quaternion = Quaternion(Vector3.FORWARD, middle.normalized())

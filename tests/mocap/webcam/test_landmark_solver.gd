@@ -109,9 +109,7 @@ func test_knees_and_elbows_bend_one_way_only() -> void:
 	camera.noise_m = 0.06
 	var solver: LandmarkSolver = LandmarkSolver.new()
 	for step: int in 300:
-		var found: PoseSample = solver.solve(
-			camera.see(_standing(Vector3.ZERO), step * STEP_USEC)
-		)
+		var found: PoseSample = solver.solve(camera.see(_standing(Vector3.ZERO), step * STEP_USEC))
 		var pelvis: Quaternion = found.orientation(Limbs.HIPS)
 		for thigh: int in [Limbs.LEFT_UPPER_LEG, Limbs.RIGHT_UPPER_LEG]:
 			var along: Vector3 = found.orientation(thigh) * Vector3.DOWN
