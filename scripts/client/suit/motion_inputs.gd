@@ -61,6 +61,9 @@ func open(p_options: Options) -> String:
 	people.vanished.connect(vanished.emit)
 	streams.appeared.connect(people.appear)
 	streams.vanished.connect(people.vanish)
+	streams.camera.fov_deg = p_options.degrees("webcam-fov")
+	streams.camera.people = p_options.number("webcam-people")
+	streams.camera.height_m = p_options.metres("webcam-height")
 	var fault: String = _open_recorder()
 	if fault == "" and p_options.text("vmc-out") != "":
 		vmc_out = VmcOut.new()
