@@ -57,7 +57,7 @@ func advance(p_delta_s: float) -> WalkerInput:
 	_heading = wrapf(_heading + now[2] * p_delta_s, -PI, PI)
 	var input: WalkerInput = WalkerInput.new()
 	input.heading = _heading
-	input.wish = WalkerControls.to_world(now[0], now[1], _heading)
+	input.wish = WalkerInput.to_world(now[0], now[1], _heading)
 	input.jumps = _moves[at] == "jump"
 	var stances: Dictionary[String, WalkerMover.Stance] = {
 		"crouch": WalkerMover.CROUCH, "prone": WalkerMover.PRONE

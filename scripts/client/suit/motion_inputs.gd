@@ -225,12 +225,9 @@ func close() -> void:
 
 ## The source where the options name none: a headset, or keys to walk by.
 func _find_default() -> Array[SourceAddress]:
-	var found: Array[SourceAddress] = []
-	if make_default.is_valid():
-		found.append(SourceAddress.parse("xr"))
-	elif not awaits_headset:
-		found.append(SourceAddress.parse("walker"))
-	return found
+	if awaits_headset and not make_default.is_valid():
+		return []
+	return [SourceAddress.parse("xr" if make_default.is_valid() else "walker")]
 
 
 ## Logs once which sources are missing, for those who see no screen.
@@ -298,26 +295,28 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 			_trackers.append(TrackerSource.new(p_address.text))
 			people.appear(_trackers[-1], "", p_number)
 			return ""
-		"walker":
-			if walker != null:
-				return "--source=walker is named twice: one client walks for one person"
-			walker = WalkerSource.new()
-			_has_files = true
-			people.appear(walker, "", p_number)
-			return ""
-		"xr":
-			if awaits_headset:
-				return ""
-			if not make_default.is_valid():
-				return "--source=xr: no headset is worn: start with --display=hmd"
-			_has_files = true
-			people.appear(make_default.call(), "", p_number)
-			return ""
+		"walker", "xr":
+			return _open_own(p_address.kind, p_number)
 	var before: SlimeFeed = streams.slime
 	var fault: String = streams.open(p_address, p_number)
 	if fault == "" and streams.slime != before:
 		_wear(streams.slime, _options.text("person") if wearers.is_empty() else "", p_number)
 	return fault
+
+
+## Opens what moves the client's own user without a suit: keys, or a headset.
+func _open_own(p_kind: String, p_number: int) -> String:
+	if p_kind == "walker":
+		if walker != null:
+			return "--source=walker is named twice: a client walks for one person"
+		walker = WalkerSource.new()
+	elif awaits_headset:
+		return ""
+	elif not make_default.is_valid():
+		return "--source=xr: no headset is worn: start with --display=hmd"
+	_has_files = true
+	people.appear(walker if p_kind == "walker" else make_default.call(), "", p_number)
+	return ""
 
 
 func _open_files(p_paths: PackedStringArray, p_number: int) -> String:

@@ -16,9 +16,11 @@ static func rows() -> Array[OptionRow]:
 			. text(
 				"source",
 				moving,
-				"motion from elsewhere; again, or with commas, for more (docs/sources.md); by default"
-				+ " you walk by keys: "
-				+ kinds
+				(
+					"motion from elsewhere; again, or with commas, for more (docs/sources.md); by default"
+					+ " you walk by keys: "
+					+ kinds
+				)
 			)
 			. or_more()
 			. shown_as("KIND[:ADDRESS]")

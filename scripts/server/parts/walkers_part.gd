@@ -33,9 +33,10 @@ func report() -> Dictionary:
 			. append(
 				{
 					"name": walker.person.name,
-				"position": _numbers(walker.mover.get_position()),
-				"hips": _numbers(walker.person.hips()),
-				"mode": walker.mover.get_mode(),
+					"position": _numbers(walker.mover.get_position()),
+					"hips": _numbers(walker.person.hips()),
+					"mode": walker.mover.get_mode(),
+					"carrier": walker.mover.get_carrier(),
 					"inputs": walker.inputs,
 					"corrections": walker.corrections,
 				}

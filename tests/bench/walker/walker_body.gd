@@ -1,6 +1,6 @@
 extends RefCounted
-## A walker's body at the server, in physics: a person of [ServerPeople], driven by a [ServerWalker],
-## whose client agrees with the server. Godot's frame; m, s, rad.
+## A walker's body at the server, in physics: a person of [ServerPeople], driven by a
+## [ServerWalker], whose client agrees with the server. Godot's frame; m, s, rad.
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 const TICK_S: float = 1.0 / 60.0
