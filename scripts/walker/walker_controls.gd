@@ -7,8 +7,8 @@ extends Node
 
 ## Speeds, m/s: walking by keys, the full stick, running; faster, and the body would fall.
 const WALK: float = 1.6
-const JOG: float = 2.6
-const RUN: float = 3.4
+const JOG: float = 2.4
+const RUN: float = 3.2
 ## Turn for each pixel of the mouse, rad, and of the keys and the full stick, rad/s.
 const MOUSE: float = 0.0025
 const TURN_RATE: float = 2.6

@@ -15,8 +15,8 @@ const SCENES: Array[String] = [
 const GAITS: Dictionary[String, String] = {
 	"stands": "0:0:0:6",
 	"walks": "1.5:0:0:6",
-	"jogs": "2.6:0:0:6",
-	"runs": "3.4:0:0:6",
+	"jogs": "2.4:0:0:6",
+	"runs": "3.2:0:0:6",
 	"walks in circles": "1.5:0:45:6",
 	"backwards": "-1:0:0:6",
 	"sideways": "0:1:0:6",
