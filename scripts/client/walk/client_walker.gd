@@ -87,7 +87,7 @@ func _find_source() -> WalkerSource:
 		return null
 	var found: WalkerSource = context.people.source_of(0) as WalkerSource
 	if found != null:
-		_bodies.add_mover(found.prediction.mover, context.scene.get_world_3d().space)
+		_bodies.add_mover(found.prediction.mover, context.scene.get_world_3d())
 		found.read_input = _controls.read
 		found.due_tick = _due_tick
 		found.send = _send

@@ -58,7 +58,7 @@ func _on_commanded(
 		return
 	if not _walkers.has(p_person.id):
 		var walker: ServerWalker = ServerWalker.new(p_person)
-		_bodies.add_mover(walker.mover, context.people.get_world_3d().space)
+		_bodies.add_mover(walker.mover, context.people.get_world_3d())
 		_walkers[p_person.id] = walker
 	_walkers[p_person.id].take(p_values)
 
