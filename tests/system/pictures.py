@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
 import numpy as np
@@ -92,6 +93,16 @@ class Window:
         self.screen.give_keys(self._find())
         for name in names:
             self.screen.key(name)
+
+    @contextmanager
+    def holding(self, name: str) -> Iterator[None]:
+        """Keeps a key down meanwhile."""
+        self.screen.give_keys(self._find())
+        self.screen.hold(name)
+        try:
+            yield
+        finally:
+            self.screen.let_go(name)
 
     def resize(self, width: int, height: int) -> None:
         """Gives it another size, which may be larger than the display."""

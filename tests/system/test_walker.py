@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Walks without a suit: by a list, and by the keys and the mouse of a window."""
+"""Walks without a suit: by a list, and by the keys of a window."""
 
 from __future__ import annotations
 
@@ -35,21 +35,17 @@ def test_who_names_no_source_walks_with_a_body(world: World) -> None:
     assert "ERROR" not in server.log()
 
 
-def test_keys_and_mouse_walk_in_a_window(world: World, display: dict[str, str]) -> None:
+def test_keys_walk_in_a_window(world: World, display: dict[str, str]) -> None:
     server = world.server()
     window = Window(world, display, "--role=trainee", "--quality=low", "--name=Bea")
     begin = place(server.await_report(lambda told: not math.isnan(place(told)[0]), WINDOW_LIMIT_S))
     window.process.await_report(lambda seen: seen["walking"].get("tick", -1) > 0, WINDOW_LIMIT_S)
-    window.screen.hold("w")
-    server.await_report(lambda told: math.dist(place(told), begin) > 1.0, WINDOW_LIMIT_S)
-    window.screen.let_go("w")
-    still = place(server.fresh_report())
+    with window.holding("w"):
+        server.await_report(lambda told: math.dist(place(told), begin) > 1.0, WINDOW_LIMIT_S)
     heading = window.process.fresh_report()["walking"]["heading"]
-    window.screen.hold("left")
-    window.process.await_report(
-        lambda seen: abs(seen["walking"]["heading"] - heading) > 0.5, WINDOW_LIMIT_S
-    )
-    window.screen.let_go("left")
-    assert not math.isnan(still[0])
+    with window.holding("Left"):
+        window.process.await_report(
+            lambda seen: abs(seen["walking"]["heading"] - heading) > 0.5, WINDOW_LIMIT_S
+        )
     window.close()
     assert "ERROR" not in server.log()

@@ -28,6 +28,9 @@ func advance(p_now_usec: int, p_delta_s: float) -> void:
 func report() -> Dictionary:
 	var rows: Array[Dictionary] = []
 	for walker: ServerWalker in _walkers.values():
+		# At the end the bodies are out of the tree already.
+		if not walker.person.ragdoll.is_inside_tree():
+			continue
 		(
 			rows
 			. append(
