@@ -274,6 +274,9 @@ func _open_recorder() -> String:
 
 func _open_addresses() -> String:
 	people.count = _addresses.size()
+	for number: int in _addresses.size():
+		if _addresses[number].kind == "walker":
+			people.walker = number + 1
 	var fault: String = people.read(_options.text("fuse"))
 	for number: int in _addresses.size():
 		if fault == "":
@@ -299,6 +302,7 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 			if walker != null:
 				return "--source=walker is named twice: one client walks for one person"
 			walker = WalkerSource.new()
+			people.walker = p_number
 			_has_files = true
 			people.appear(walker, "", p_number)
 			return ""
