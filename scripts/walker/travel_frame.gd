@@ -10,6 +10,8 @@ extends RefCounted
 const SLACK_M: float = 0.3
 ## Beyond this the person was put elsewhere, m.
 const JUMP_M: float = 2.0
+## A body that is lower than its motion by more than this lies, m.
+const DOWN_M: float = 0.4
 ## How far below the hips ground is looked for, m.
 const _REACH_M: float = 2.0
 
@@ -21,6 +23,8 @@ var frame: Transform3D = Transform3D.IDENTITY
 var scale: float = 1.0
 ## How far the mover was moved with the frame, m.
 var shift: Vector3 = Vector3.ZERO
+## Whether physics has the body, which has fallen.
+var is_down: bool = false
 
 var _space: RID = RID()
 var _bodies: WalkerBodies = null
@@ -51,33 +55,39 @@ func is_entered() -> bool:
 	return _bodies != null
 
 
-## Begins below the hips, which are somewhere in the person's own frame, m, and as high as this, m;
-## faces there by a heading in the world, rad.
-func begin(p_frame: Transform3D, p_hips: Vector3, p_hip_height: float, p_heading: float) -> void:
+## Begins below the hips, which are somewhere in the person's own frame above a floor of that
+## height, m; faces there by a heading in the world, rad. Returns false where the body lies.
+func begin(p_frame: Transform3D, p_hips: Vector3, p_floor: float, p_heading: float) -> bool:
 	frame = p_frame
 	shift = Vector3.ZERO
 	_carrier = 0
 	var hips: Vector3 = to_world(p_hips)
+	var ground: Vector3 = to_world(Vector3(p_hips.x, p_floor, p_hips.z))
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		hips, hips + Vector3.DOWN * _REACH_M, PhysicsLayers.STATIC | PhysicsLayers.PROPS
 	)
 	var hit: Dictionary = PhysicsServer3D.space_get_direct_state(_space).intersect_ray(ray)
-	var ground: Vector3 = hips + Vector3.DOWN * p_hip_height
-	mover.place(hit["position"] if not hit.is_empty() else ground, p_heading)
+	var feet: Vector3 = hit["position"] if not hit.is_empty() else ground
+	is_down = ground.y < feet.y - DOWN_M
+	mover.place(feet, p_heading)
+	return not is_down
 
 
 ## Goes along with the frame, which is there now.
 func follow(p_frame: Transform3D) -> void:
 	_ride()
 	var off: Vector3 = p_frame.origin - frame.origin
+	var flat: Vector3 = Vector3(off.x, 0.0, off.z)
+	is_down = off.y < -DOWN_M
 	if off.length() > JUMP_M:
 		frame.origin += off
 		mover.place(mover.get_position() + off, mover.get_heading())
 		shift += off
-	elif off.length() > SLACK_M:
-		var step: Vector3 = off.limit_length(off.length() - SLACK_M)
-		frame.origin += step
-		shift += mover.push(step)
+	elif flat.length() > SLACK_M:
+		# As far as the mover can: else it would be elsewhere in the frame, and the body pulled there.
+		var moved: Vector3 = mover.push(flat.limit_length(flat.length() - SLACK_M))
+		frame.origin += moved
+		shift += moved
 
 
 ## Makes a tick; what only hands can climb, which samples do not have, is in the way.

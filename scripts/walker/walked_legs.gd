@@ -6,6 +6,9 @@ extends MotionSource
 ## While nothing is wished the wearer's own motion is passed on, moved and turned by the travel so
 ## far. While something is, legs, feet and hips are a walker's ([WalkerPose]); both are blended over
 ## in [constant BLEND_S]. It is sent as any worn motion: the server knows of no walker here.
+##
+## Only while somebody walks are samples taken in physics frames; at rest they have the exact times
+## of the [MotionSampler]'s thread.
 
 ## Time in which the walker's legs take over, and the own ones again, s.
 const BLEND_S: float = 0.3
@@ -55,13 +58,18 @@ var _share: float = 0.0
 # Whether the mover goes, be it only to a stop.
 var _goes: bool = false
 var _turning_s: float = 0.0
+# Somebody wants to walk, or has not stopped: the main thread is to sample.
+var _is_called: bool = false
 # Where the wearer's hips face in their own frame, rad; NAN before the first sample.
 var _facing: float = NAN
 # The heading that the last input had, rad.
 var _heading: float = NAN
 var _last_usec: int = -1
+var _sits: bool = false
 # From the wearer's motion to the last sample: for who looks out of it.
 var _travel: Transform3D = Transform3D.IDENTITY
+# Samples are taken in either thread, all else is the main thread's.
+var _mutex: Mutex = Mutex.new()
 
 
 ## Takes the source that is carried.
@@ -71,7 +79,7 @@ func _init(p_first: MotionSource) -> void:
 
 
 func needs_world() -> bool:
-	return true
+	return _is_called or first.needs_world()
 
 
 func get_hip_height() -> float:
@@ -92,23 +100,44 @@ func describe() -> String:
 
 ## The body that the server has made: height of its hips, m, and its joints.
 func embody(p_hip_height: float, p_joints: PersonSkeleton) -> void:
+	_mutex.lock()
 	ground.scale = p_hip_height / get_hip_height() if p_hip_height > 0.0 else 1.0
 	_pose.set_body(p_hip_height, p_joints)
+	_mutex.unlock()
+
+
+## Looks whether hands wish something, while nobody walks: call it in each frame of a length, s.
+func listen(p_delta_s: float) -> void:
+	if _is_called or not read_input.is_valid():
+		return
+	var read: WalkerInput = read_input.call(p_delta_s) as WalkerInput
+	var turns: bool = not is_nan(_heading) and read.heading != _heading
+	var wishes: bool = read.wish.length() > _STANDS or read.stance != WalkerMover.STAND
+	if has_frame and ground.is_entered():
+		_is_called = turns or wishes or (raises_seated and _sits)
+	if not _is_called:
+		_heading = read.heading
 
 
 ## Begins anew, without any travel: another server.
 func restart() -> void:
+	_mutex.lock()
 	has_frame = false
+	_is_called = false
 	_turned = 0.0
 	_moved = Vector3.ZERO
 	_share = 0.0
 	_goes = false
 	_travel = Transform3D.IDENTITY
+	_mutex.unlock()
 
 
 ## From the space that the wearer is in to the person's own frame in the world's size, m.
 func travel() -> Transform3D:
-	return Transform3D(_travel.basis, _travel.origin * ground.scale)
+	_mutex.lock()
+	var moved: Transform3D = Transform3D(_travel.basis, _travel.origin * ground.scale)
+	_mutex.unlock()
+	return moved
 
 
 ## How much of the legs is the walker's: 0 none, 1 all.
@@ -117,23 +146,31 @@ func share() -> float:
 
 
 func _read(p_time_usec: int) -> PoseSample:
+	_mutex.lock()
 	var own: PoseSample = first.sample(p_time_usec)
 	error = first.error
-	if own == null:
+	var made: PoseSample = _pass_on(own) if own != null else null
+	_mutex.unlock()
+	return made
+
+
+func _pass_on(p_own: PoseSample) -> PoseSample:
+	var moment: int = p_own.time_usec
+	var passed_s: float = (moment - _last_usec) / 1e6 if _last_usec >= 0 else 0.0
+	if _last_usec >= 0 and passed_s < _LEAST_S and passed_s > -1.0:
+		# Physics frames of a slow display, or the other thread had it.
 		return null
-	var moment: int = own.time_usec
-	if _last_usec >= 0 and absi(moment - _last_usec) < roundi(_LEAST_S * 1e6):
-		return null
-	var passed_s: float = clampf((moment - _last_usec) / 1e6, 0.0, _MOST_S)
-	if _last_usec < 0:
-		passed_s = 0.0
+	passed_s = clampf(passed_s, 0.0, _MOST_S)
 	_last_usec = moment
-	_face(own, passed_s)
-	var walked: PoseSample = _walk(own, passed_s) if passed_s > 0.0 else null
-	var made: PoseSample = _carried(own)
+	_face(p_own, passed_s)
+	_sits = _sitting.advance(p_own, passed_s)
+	var walked: PoseSample = null
+	if _is_called and passed_s > 0.0 and OS.get_thread_caller_id() == OS.get_main_thread_id():
+		walked = _walk(p_own, passed_s)
+	var made: PoseSample = _carried(p_own)
 	if walked != null:
-		_set_on(made, own, walked)
-	_travel = Transform3D(Basis(Vector3.UP, _turned), made.root - _turn() * own.root)
+		_set_on(made, p_own, walked)
+	_travel = Transform3D(Basis(Vector3.UP, _turned), made.root - _turn() * p_own.root)
 	return made
 
 
@@ -149,18 +186,27 @@ func _face(p_own: PoseSample, p_passed_s: float) -> void:
 ## are the wearer's own.
 func _walk(p_own: PoseSample, p_passed_s: float) -> PoseSample:
 	if not has_frame or not ground.is_entered():
+		_share = 0.0
+		_goes = false
+		_is_called = false
 		return null
 	var input: WalkerInput = _read_wish(p_own, p_passed_s)
-	var asks: bool = _asks(p_own, input, p_passed_s)
+	var asks: bool = _asks(input)
 	if not _goes and not asks:
+		_is_called = false
 		return null
 	if not _goes:
-		_goes = true
 		var hips: Vector3 = _turn() * p_own.root + _moved
-		ground.begin(frame, hips, _pose.hip_height, input.heading)
+		_goes = ground.begin(frame, hips, _moved.y, input.heading)
+		if not _goes:
+			return null
 		_pose.restart(ground.mover)
 	else:
 		ground.follow(frame)
+		if ground.is_down:
+			# Nobody walks who has fallen.
+			input.wish = Vector2.ZERO
+			asks = false
 	input.heading = ground.heading() + _turned + _facing
 	var before: Vector3 = ground.place()
 	var walked: PoseSample = null
@@ -203,11 +249,10 @@ func _read_wish(p_own: PoseSample, p_passed_s: float) -> WalkerInput:
 
 
 ## Whether the walker's legs are asked for.
-func _asks(p_own: PoseSample, p_wish: WalkerInput, p_passed_s: float) -> bool:
-	var sits: bool = _sitting.advance(p_own, p_passed_s)
+func _asks(p_wish: WalkerInput) -> bool:
 	if p_wish.wish.length() > _STANDS or _turning_s > 0.0 or p_wish.stance != WalkerMover.STAND:
 		return true
-	if sits and raises_seated:
+	if _sits and raises_seated:
 		return true
 	if not _goes:
 		return false

@@ -97,9 +97,7 @@ func test_let_go_the_own_legs_stand_where_the_walker_stopped() -> void:
 	_run(WalkedLegs.BLEND_S + 2.0 * STEP_S)
 	equal(_legs.share(), 0.0)
 	var own: PoseSample = _own
-	almost_equal(
-		Rotations.between_deg(_before.orientation(LEG), own.orientation(LEG)), 0.0, 0.05
-	)
+	almost_equal(Rotations.between_deg(_before.orientation(LEG), own.orientation(LEG)), 0.0, 0.05)
 	_run(0.5)
 	var offset: Vector3 = _before.root - _own.root
 	is_true(_flat(offset).length() > 2.0)
@@ -162,7 +160,9 @@ func test_walls_stop_it() -> void:
 
 func test_steps_raise_it() -> void:
 	for step: int in 4:
-		_box(Vector3(4.0, 0.34 * (step + 1), 8.0), Vector3(0.0, 0.17 * (step + 1), 6.0 + step * 0.4))
+		_box(
+			Vector3(4.0, 0.34 * (step + 1), 8.0), Vector3(0.0, 0.17 * (step + 1), 6.0 + step * 0.4)
+		)
 	await physics_frames(2)
 	_carry(Still.new(), Still.new())
 	_stick.x = 1.5
@@ -202,6 +202,41 @@ func test_a_body_that_is_held_back_holds_the_walker() -> void:
 	_run(0.5)
 	is_true(_legs.ground.mover.get_position().x > 45.0, "who is put elsewhere walks there")
 	is_true(_most_step < 3.0 * STEP_S, "%.3f m" % _most_step)
+
+
+func test_who_has_fallen_does_not_walk() -> void:
+	_carry(Still.new(), Still.new())
+	_stick.x = 1.5
+	_run(1.0)
+	# The body lies where the motion still stands.
+	_legs.frame.origin.y = -0.7
+	_run(1.0)
+	equal(_legs.share(), 0.0)
+	var fallen: Vector3 = _before.root
+	_run(1.0)
+	almost_equal(_before.root, fallen, 1e-4)
+	_legs.frame.origin.y = 0.0
+	_run(1.0)
+	is_true(_before.root.z > fallen.z + 1.0, "up again")
+
+
+func test_only_who_walks_is_sampled_in_physics_frames() -> void:
+	_run(0.5)
+	is_false(_legs.needs_world())
+	_stick.x = 1.5
+	_run(0.5)
+	is_true(_legs.needs_world())
+	_stick.x = 0.0
+	_run(2.0)
+	is_false(_legs.needs_world())
+	# The sampler's thread goes on where the main thread was, and takes nobody anywhere.
+	_stick.x = 1.5
+	_legs.listen(STEP_S)
+	var thread: Thread = Thread.new()
+	thread.start(_legs.sample.bind(_now + STEP_USEC))
+	var made: PoseSample = thread.wait_to_finish()
+	almost_equal(made.root, _before.root, 0.05)
+	is_null(_legs.sample(_now + STEP_USEC - 500), "no moment twice")
 
 
 func test_who_sits_on_a_chair_stands_on_the_walker_s_legs() -> void:
@@ -287,6 +322,7 @@ func _read_hands(p_delta_s: float) -> WalkerInput:
 
 func _advance() -> PoseSample:
 	_now += STEP_USEC
+	_legs.listen(STEP_S)
 	var made: PoseSample = _legs.sample(_now)
 	_own = _plain.sample(_now)
 	equal(made.find_fault(), "")

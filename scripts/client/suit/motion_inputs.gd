@@ -274,9 +274,8 @@ func _open_recorder() -> String:
 
 func _open_addresses() -> String:
 	people.count = _addresses.size()
-	for number: int in _addresses.size():
-		if _addresses[number].kind == "walker":
-			people.walker = number + 1
+	var walks: Callable = func(one: SourceAddress) -> bool: return one.kind == "walker"
+	people.walker = _addresses.find_custom(walks) + 1
 	var fault: String = people.read(_options.text("fuse"))
 	for number: int in _addresses.size():
 		if fault == "":
@@ -299,13 +298,7 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 			people.appear(_trackers[-1], "", p_number)
 			return ""
 		"walker":
-			if walker != null:
-				return "--source=walker is named twice: one client walks for one person"
-			walker = WalkerSource.new()
-			people.walker = p_number
-			_has_files = true
-			people.appear(walker, "", p_number)
-			return ""
+			return _open_walker(p_number)
 		"xr":
 			if awaits_headset:
 				return ""
@@ -319,6 +312,16 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 	if fault == "" and streams.slime != before:
 		_wear(streams.slime, _options.text("person") if wearers.is_empty() else "", p_number)
 	return fault
+
+
+func _open_walker(p_number: int) -> String:
+	if walker != null:
+		return "--source=walker is named twice: one client walks for one person"
+	walker = WalkerSource.new()
+	people.walker = p_number
+	_has_files = true
+	people.appear(walker, "", p_number)
+	return ""
 
 
 func _open_files(p_paths: PackedStringArray, p_number: int) -> String:

@@ -53,6 +53,7 @@ func begin_frame() -> void:
 	else:
 		_legs.raises_seated = not is_seated
 		_place_legs()
+		_legs.listen(get_process_delta_time())
 
 
 ## The eyes of who walks look where the mouse points, without waiting for the body.
