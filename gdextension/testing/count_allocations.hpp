@@ -24,6 +24,11 @@ void *operator new(std::size_t p_size) {
 	return found;
 }
 
+void *operator new(std::size_t p_size, const std::nothrow_t &) noexcept {
+	allocations++;
+	return std::malloc(p_size);
+}
+
 void operator delete(void *p_memory) noexcept {
 	std::free(p_memory);
 }

@@ -108,6 +108,11 @@ func degrees(p_name: String) -> float:
 	return _values[p_name]
 
 
+## The value of an option in metres.
+func metres(p_name: String) -> float:
+	return _values[p_name]
+
+
 ## The value of an option in seconds.
 func seconds(p_name: String) -> float:
 	return _values[p_name]

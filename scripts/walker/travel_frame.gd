@@ -26,28 +26,27 @@ var shift: Vector3 = Vector3.ZERO
 ## Whether physics has the body, which has fallen.
 var is_down: bool = false
 
-var _space: RID = RID()
+var _world: World3D = null
 var _bodies: WalkerBodies = null
 # Number of the body that carried in the last tick, 0 none, and its transform then.
 var _carrier: int = 0
 var _carrier_frame: Transform3D = Transform3D.IDENTITY
 
 
-## Lets it move in a space among bodies.
-func enter(p_space: RID, p_bodies: WalkerBodies) -> void:
-	_space = p_space
+## Lets it move in a world among its bodies.
+func enter(p_world: World3D, p_bodies: WalkerBodies) -> void:
+	_world = p_world
 	_bodies = p_bodies
-	_bodies.add_mover(mover, p_space)
+	_bodies.add_mover(mover, p_world)
 
 
 ## Ends that.
 func leave() -> void:
 	if _bodies != null:
 		_bodies.remove_mover(mover)
-		# Else it would be in a space that may be gone before it.
-		mover.enter(RID(), 0)
+		mover.enter(RID(), null, 0)
 	_bodies = null
-	_space = RID()
+	_world = null
 
 
 ## Whether there is anything to move in.
@@ -66,7 +65,7 @@ func begin(p_frame: Transform3D, p_hips: Vector3, p_floor: float, p_heading: flo
 	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
 		hips, hips + Vector3.DOWN * _REACH_M, PhysicsLayers.STATIC | PhysicsLayers.PROPS
 	)
-	var hit: Dictionary = PhysicsServer3D.space_get_direct_state(_space).intersect_ray(ray)
+	var hit: Dictionary = _world.direct_space_state.intersect_ray(ray)
 	var feet: Vector3 = hit["position"] if not hit.is_empty() else ground
 	is_down = ground.y < feet.y - DOWN_M
 	mover.place(feet, p_heading)

@@ -28,7 +28,7 @@ static func parse(p_text: String) -> WalkScript:
 		var move: String = words[4] if words.size() == 5 else ""
 		var is_sound: bool = numbers.size() == 4 and words.size() < 6 and numbers[3] > 0.0
 		for number: float in numbers:
-			is_sound = is_sound and absf(number) < 1000.0
+			is_sound = is_sound and absf(number) < 1e6
 		if not is_sound or not move in ["", "jump", "crouch", "prone"]:
 			made.error = "--walk is %s, and more of them; found '%s'" % [FORM, part.left(60)]
 			return made
@@ -57,7 +57,7 @@ func advance(p_delta_s: float) -> WalkerInput:
 	_heading = wrapf(_heading + now[2] * p_delta_s, -PI, PI)
 	var input: WalkerInput = WalkerInput.new()
 	input.heading = _heading
-	input.wish = WalkerControls.to_world(now[0], now[1], _heading)
+	input.wish = WalkerInput.to_world(now[0], now[1], _heading)
 	input.jumps = _moves[at] == "jump"
 	var stances: Dictionary[String, WalkerMover.Stance] = {
 		"crouch": WalkerMover.CROUCH, "prone": WalkerMover.PRONE

@@ -21,10 +21,10 @@ const _TURN_S: float = 0.15
 ## Time constant with which the walker's heading follows the wearer's hips, s.
 const _FACING_S: float = 0.3
 ## Longest time that a sample is after the last one, and of a tick, s.
-const _MOST_S: float = 0.1
+const _MAX_S: float = 0.1
 const _TICK_S: float = 1.0 / 40.0
 ## Two samples that are closer are one, s.
-const _LEAST_S: float = 0.002
+const _MIN_S: float = 0.002
 const _WALKED: Array[int] = [
 	Limbs.HIPS,
 	Limbs.LEFT_UPPER_LEG,
@@ -157,10 +157,10 @@ func _read(p_time_usec: int) -> PoseSample:
 func _pass_on(p_own: PoseSample) -> PoseSample:
 	var moment: int = p_own.time_usec
 	var passed_s: float = (moment - _last_usec) / 1e6 if _last_usec >= 0 else 0.0
-	if _last_usec >= 0 and passed_s < _LEAST_S and passed_s > -1.0:
+	if _last_usec >= 0 and passed_s < _MIN_S and passed_s > -1.0:
 		# Physics frames of a slow display, or the other thread had it.
 		return null
-	passed_s = clampf(passed_s, 0.0, _MOST_S)
+	passed_s = clampf(passed_s, 0.0, _MAX_S)
 	_last_usec = moment
 	_face(p_own, passed_s)
 	_sits = _sitting.advance(p_own, passed_s)

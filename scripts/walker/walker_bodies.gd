@@ -12,9 +12,9 @@ var _ladders: Array[RID] = []
 var _movers: Array[WalkerMover] = []
 
 
-## Tells a mover of the bodies that there are and will be.
-func add_mover(p_mover: WalkerMover, p_space: RID) -> void:
-	p_mover.enter(p_space, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+## Puts a mover into a world, and tells it of the bodies that there are and will be.
+func add_mover(p_mover: WalkerMover, p_world: World3D) -> void:
+	p_mover.enter(p_world.space, p_world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
 	_movers.append(p_mover)
 	_tell_all(p_mover)
 

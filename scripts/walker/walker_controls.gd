@@ -7,13 +7,13 @@ extends Node
 
 ## Speeds, m/s: walking by keys, the full stick, running; faster, and the body would fall.
 const WALK: float = 1.6
-const JOG: float = 2.6
-const RUN: float = 3.4
+const JOG: float = 2.4
+const RUN: float = 3.2
 ## Turn for each pixel of the mouse, rad, and of the keys and the full stick, rad/s.
 const MOUSE: float = 0.0025
 const TURN_RATE: float = 2.6
 ## How far up and down the eyes look, rad.
-const MOST_LOOK: float = 1.4
+const MAX_LOOK: float = 1.4
 
 ## A list that walks instead of hands; null: none.
 var list: WalkScript = null
@@ -30,7 +30,7 @@ func _unhandled_input(p_event: InputEvent) -> void:
 	var motion: InputEventMouseMotion = p_event as InputEventMouseMotion
 	if motion != null and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED and not hands_off:
 		heading = wrapf(heading - motion.relative.x * MOUSE, -PI, PI)
-		look = clampf(look - motion.relative.y * MOUSE, -MOST_LOOK, MOST_LOOK)
+		look = clampf(look - motion.relative.y * MOUSE, -MAX_LOOK, MAX_LOOK)
 		get_viewport().set_input_as_handled()
 	elif p_event.is_action_pressed(&"walk_prone") and not hands_off:
 		_is_prone = not _is_prone
@@ -50,14 +50,14 @@ func read(p_delta_s: float) -> WalkerInput:
 		return input
 	var turn: Vector2 = Input.get_vector(&"look_left", &"look_right", &"look_down", &"look_up")
 	heading = wrapf(heading - turn.x * TURN_RATE * p_delta_s, -PI, PI)
-	look = clampf(look + turn.y * TURN_RATE * p_delta_s, -MOST_LOOK, MOST_LOOK)
+	look = clampf(look + turn.y * TURN_RATE * p_delta_s, -MAX_LOOK, MAX_LOOK)
 	var way: Vector2 = Input.get_vector(&"walk_left", &"walk_right", &"walk_back", &"walk_forward")
 	var speed: float = RUN if Input.is_action_pressed(&"walk_run") else WALK
 	if speed < JOG and _is_stick():
 		speed = JOG
 	input.heading = heading
 	input.look = look
-	input.wish = to_world(way.y * speed, way.x * speed, heading)
+	input.wish = WalkerInput.to_world(way.y * speed, way.x * speed, heading)
 	input.jumps = Input.is_action_pressed(&"walk_jump")
 	if input.jumps:
 		_is_prone = false
@@ -66,12 +66,6 @@ func read(p_delta_s: float) -> WalkerInput:
 	elif Input.is_action_pressed(&"walk_crouch"):
 		input.stance = WalkerMover.CROUCH
 	return input
-
-
-## A velocity ahead and to the right of a heading, m/s, along +X and +Z of the world.
-static func to_world(p_ahead: float, p_right: float, p_heading: float) -> Vector2:
-	var ahead: Vector2 = Vector2(sin(p_heading), cos(p_heading))
-	return ahead * p_ahead + Vector2(-ahead.y, ahead.x) * p_right
 
 
 ## Whether a stick says where to go: it has a speed of its own.

@@ -1,6 +1,6 @@
 class_name WalkerInput
 extends RefCounted
-## What somebody who walks by keys or a stick wishes in a tick: the command [code]walk[/code] of a
+## The wish of somebody who walks by keys or a stick in a tick: the command [code]walk[/code] of a
 ## person's [EntityType].
 ##
 ## It is rounded to the steps of that command before anybody uses it, so that server and client walk
@@ -44,6 +44,12 @@ static func of_values(p_values: PackedFloat32Array) -> WalkerInput:
 	input.correction = moves >> 4
 	input.check = int(p_values[5])
 	return input
+
+
+## A velocity ahead and to the right of a heading, m/s, along +X and +Z of the world.
+static func to_world(p_ahead: float, p_right: float, p_heading: float) -> Vector2:
+	var ahead: Vector2 = Vector2(sin(p_heading), cos(p_heading))
+	return ahead * p_ahead + Vector2(-ahead.y, ahead.x) * p_right
 
 
 ## The values of the command.

@@ -6,7 +6,7 @@ extends RefCounted
 ## The motion set of everybody who has none of their own.
 const DEFAULT_SET: String = "res://assets/motion/walker.motionset"
 ## How far a head turns from where the body faces, rad.
-const MOST_NECK: float = 1.2
+const MAX_NECK: float = 1.2
 
 static var _set: MotionSet = null
 
@@ -56,7 +56,7 @@ func advance(
 	sample.orientations = _matcher.get_orientations()
 	sample.root = _matcher.get_root()
 	var neck: float = angle_difference(p_mover.get_heading(), p_input.heading)
-	var face: float = p_mover.get_heading() + clampf(neck, -MOST_NECK, MOST_NECK)
+	var face: float = p_mover.get_heading() + clampf(neck, -MAX_NECK, MAX_NECK)
 	if stance_of(p_mover) < 2:
 		var up: Quaternion = Quaternion(Vector3.RIGHT, -p_input.look * 0.7)
 		sample.set_orientation(Limbs.HEAD, Rotations.yaw(face) * up)

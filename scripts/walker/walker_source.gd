@@ -4,9 +4,12 @@ extends MotionSource
 ## ([code]--source=walker[/code]): shown at once, as the client predicts it. The server is sent what
 ## is wished, not the motion, and makes its own of it.
 
-## Distance between the tick that is due and the next one beyond which ticks are left out, or waited
-## for.
-const MAX_DRIFT: float = 1.5
+## Distance between the tick that is due and the next one beyond which it begins anew, ticks: a
+## frame that takes long makes several ticks at once.
+const MAX_DRIFT: float = 10.0
+## Share of a smaller distance that each tick corrects, and at most, ticks.
+const CORRECTION: float = 0.05
+const MAX_CORRECTION: float = 0.1
 ## Ticks whose moments are remembered.
 const _MEMORY: int = 128
 
@@ -26,6 +29,8 @@ var tick_s: float = 1.0 / 60.0
 ## How the person's own frame is turned in the world, rad.
 var frame_heading: float = 0.0
 
+# The tick that is due, as it goes on evenly.
+var _due: float = -1.0
 var _pose: WalkerPose = WalkerPose.new()
 var _scale: float = 1.0
 var _moments: Dictionary[int, int] = {}
@@ -53,6 +58,7 @@ func embody(p_hip_height: float, p_joints: PersonSkeleton) -> void:
 func restart() -> void:
 	prediction.clear()
 	_moments.clear()
+	_due = -1.0
 
 
 ## Takes the server's state after a tick. Returns false where that is none.
@@ -73,15 +79,11 @@ func moment_of(p_tick: int) -> int:
 func _read(p_time_usec: int) -> PoseSample:
 	if not read_input.is_valid() or schema == null:
 		return null
-	var due: float = due_tick.call()
-	if due < 0.0:
+	var next: int = _find_next()
+	if next < 0 or next <= prediction.tick:
 		return null
-	var next: int = prediction.tick + 1
-	if prediction.tick < 0 or absf(due - next) > MAX_DRIFT:
-		next = roundi(due)
-	if next <= prediction.tick:
-		return null
-	var input: WalkerInput = (read_input.call(tick_s) as WalkerInput).rounded(schema)
+	var ticks: int = next - prediction.tick if prediction.tick >= 0 else 1
+	var input: WalkerInput = (read_input.call(ticks * tick_s) as WalkerInput).rounded(schema)
 	input.check = prediction.mover.get_check()
 	input.correction = prediction.correction
 	send.call(input, next)
@@ -91,6 +93,20 @@ func _read(p_time_usec: int) -> PoseSample:
 	_moments[next] = p_time_usec
 	_moments.erase(next - _MEMORY)
 	return _sample(input)
+
+
+## The tick that is to be made now; -1 while none is known.
+func _find_next() -> int:
+	var measured: float = due_tick.call()
+	if measured < 0.0:
+		return -1
+	_due += 1.0
+	var off: float = measured - _due
+	if absf(off) > MAX_DRIFT:
+		_due = measured
+	else:
+		_due += clampf(off * CORRECTION, -MAX_CORRECTION, MAX_CORRECTION)
+	return roundi(_due)
 
 
 ## The pose in the person's own frame, at the wearer's size.

@@ -15,8 +15,8 @@ const SCENES: Array[String] = [
 const GAITS: Dictionary[String, String] = {
 	"stands": "0:0:0:6",
 	"walks": "1.5:0:0:6",
-	"jogs": "2.6:0:0:6",
-	"runs": "3.4:0:0:6",
+	"jogs": "2.4:0:0:6",
+	"runs": "3.2:0:0:6",
 	"walks in circles": "1.5:0:45:6",
 	"backwards": "-1:0:0:6",
 	"sideways": "0:1:0:6",
@@ -225,7 +225,7 @@ func _measure_network(p_course: WalkerCourse) -> void:
 ## Bodies in physics, in every gait: how far from their walkers, and how feet slide.
 func _measure_bodies(p_course: WalkerCourse) -> void:
 	for name: String in GAITS:
-		var body: WalkerBody = WalkerBody.new(p_course.view, Vector3(0.0, 0.0, -14.0))
+		var body: WalkerBody = WalkerBody.new(p_course.view, WalkerCourse.OPEN)
 		var list: WalkScript = WalkScript.parse(GAITS[name])
 		list.begin(0.0)
 		for tick: int in GAIT_TICKS:
@@ -249,7 +249,7 @@ func _measure_shoves(p_course: WalkerCourse) -> void:
 	var fallen: int = 0
 	var back: int = 0
 	for shove: int in option("shoves"):
-		var body: WalkerBody = WalkerBody.new(p_course.view, Vector3(0.0, 0.0, -14.0))
+		var body: WalkerBody = WalkerBody.new(p_course.view, WalkerCourse.OPEN)
 		var way: Vector3 = Vector3.BACK.rotated(Vector3.UP, chance.randf() * TAU)
 		var up_s: float = await _shove(body, [0.0, 1.5, 3.0][shove % 3], way * SHOVE)
 		if body.down_ticks > 0:

@@ -12,14 +12,14 @@ func test_parts_follow_one_another_and_the_last_one_lasts() -> void:
 	equal(second.stance, WalkerMover.CROUCH)
 	# It has turned to the left by 90 deg/s for this step, and goes to the right of where it faces.
 	almost_equal(second.heading, deg_to_rad(67.5), 1e-4)
-	almost_equal(second.wish, WalkerControls.to_world(0.0, 1.0, second.heading), 1e-4)
+	almost_equal(second.wish, WalkerInput.to_world(0.0, 1.0, second.heading), 1e-4)
 	is_true(list.advance(5.0).jumps)
 
 
 func test_right_is_to_the_right() -> void:
 	# Who faces +Z has -X to the right.
-	almost_equal(WalkerControls.to_world(0.0, 1.0, 0.0), Vector2(-1.0, 0.0))
-	almost_equal(WalkerControls.to_world(1.0, 0.0, PI / 2.0), Vector2(1.0, 0.0), 1e-6)
+	almost_equal(WalkerInput.to_world(0.0, 1.0, 0.0), Vector2(-1.0, 0.0))
+	almost_equal(WalkerInput.to_world(1.0, 0.0, PI / 2.0), Vector2(1.0, 0.0), 1e-6)
 
 
 func test_what_is_no_list_is_named() -> void:

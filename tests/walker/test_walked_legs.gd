@@ -41,7 +41,7 @@ var _now: int = BEGIN_USEC
 var _stick: Vector3 = Vector3.ZERO
 var _hands: WalkerInput = WalkerInput.new()
 # The greatest step of the root so far, m.
-var _most_step: float = 0.0
+var _max_step: float = 0.0
 var _before: PoseSample = null
 
 
@@ -87,7 +87,7 @@ func test_the_stick_carries_who_goes_on_boxing() -> void:
 	almost_equal(_flat(_before.root - from).length() / (ticks * STEP_S), 1.5, 0.1)
 	is_true(arm < 0.1, "arms are the clip's, off by %.2f deg" % arm)
 	is_true(leg > 10.0, "legs are not, off by %.1f deg" % leg)
-	is_true(_most_step < 3.0 * STEP_S, "%.3f m" % _most_step)
+	is_true(_max_step < 3.0 * STEP_S, "%.3f m" % _max_step)
 
 
 func test_let_go_the_own_legs_stand_where_the_walker_stopped() -> void:
@@ -104,7 +104,7 @@ func test_let_go_the_own_legs_stand_where_the_walker_stopped() -> void:
 	almost_equal(offset.y, 0.0, 0.02)
 	_run(1.0)
 	almost_equal(_before.root - _own.root, offset, 1e-4, "travel stays")
-	is_true(_most_step < 3.0 * STEP_S, "%.3f m" % _most_step)
+	is_true(_max_step < 3.0 * STEP_S, "%.3f m" % _max_step)
 
 
 func test_a_runner_slows_down_by_steps() -> void:
@@ -116,7 +116,7 @@ func test_a_runner_slows_down_by_steps() -> void:
 		_run(STEP_S)
 		slowed += STEP_S
 	is_true(slowed < 1.0, "%.2f s" % slowed)
-	is_true(_most_step < 4.5 * STEP_S, "%.3f m" % _most_step)
+	is_true(_max_step < 4.5 * STEP_S, "%.3f m" % _max_step)
 
 
 func test_a_turn_turns_the_wearer_and_where_ahead_is() -> void:
@@ -201,7 +201,7 @@ func test_a_body_that_is_held_back_holds_the_walker() -> void:
 	_legs.frame.origin = Vector3(50.0, 0.0, 0.0)
 	_run(0.5)
 	is_true(_legs.ground.mover.get_position().x > 45.0, "who is put elsewhere walks there")
-	is_true(_most_step < 3.0 * STEP_S, "%.3f m" % _most_step)
+	is_true(_max_step < 3.0 * STEP_S, "%.3f m" % _max_step)
 
 
 func test_who_has_fallen_does_not_walk() -> void:
@@ -303,20 +303,20 @@ func _carry(p_first: MotionSource, p_plain: MotionSource) -> void:
 		_legs.ground.leave()
 	_plain = p_plain
 	_legs = WalkedLegs.new(p_first)
-	_legs.ground.enter(_course.find_world_3d().space, _bodies)
+	_legs.ground.enter(_course.find_world_3d(), _bodies)
 	_legs.has_frame = true
 	_legs.embody(p_first.get_hip_height(), _skeleton())
 	_legs.read_input = _read_hands
 	_now = BEGIN_USEC
 	_stick = Vector3.ZERO
 	_hands = WalkerInput.new()
-	_most_step = 0.0
+	_max_step = 0.0
 	_before = null
 
 
 func _read_hands(p_delta_s: float) -> WalkerInput:
 	_hands.heading = wrapf(_hands.heading + _stick.z * p_delta_s, -PI, PI)
-	_hands.wish = WalkerControls.to_world(_stick.x, _stick.y, _hands.heading)
+	_hands.wish = WalkerInput.to_world(_stick.x, _stick.y, _hands.heading)
 	return _hands
 
 
@@ -327,7 +327,7 @@ func _advance() -> PoseSample:
 	_own = _plain.sample(_now)
 	equal(made.find_fault(), "")
 	if _before != null:
-		_most_step = maxf(_most_step, (made.root - _before.root).length())
+		_max_step = maxf(_max_step, (made.root - _before.root).length())
 	_before = made
 	return made
 

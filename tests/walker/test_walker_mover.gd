@@ -106,7 +106,7 @@ func test_light_crates_are_passed_and_heavy_ones_are_not() -> void:
 	await physics_frames(2)
 	for weight: float in [20.0, 200.0]:
 		var mover: WalkerMover = _at(Vector3(weight / 20.0, 0.0, -22.0))
-		bodies.add_mover(mover, _course.view.find_world_3d().space)
+		bodies.add_mover(mover, _course.view.find_world_3d())
 		_walk(mover, Vector2(0.0, 1.5), 180, -18.0)
 		equal(mover.get_position().z > -19.5, weight < 60.0, "%.0f kg" % weight)
 

@@ -47,6 +47,7 @@ class Archive:
     binary: Path
     arguments: str  # What the start script puts before the user's own.
     loaded: tuple[str, ...]
+    helps_webcam: bool = False  # Whether the webcam's helper goes with it.
 
 
 ARCHIVES = {
@@ -63,6 +64,7 @@ ARCHIVES = {
         CLIENT_BINARY,
         "--",
         LOADED + SHOWN,
+        helps_webcam=True,
     ),
 }
 
@@ -93,6 +95,8 @@ def gather(archive: Archive, target: Path) -> Path:
         loader = find_interpreter(archive.binary)
         for file in archive.binary.parent.iterdir():
             shutil.copy2(file, folder / file.name)
+        if archive.helps_webcam:
+            _copy_helper(folder / "webcam")
         libraries = find_libraries(archive, loader)
         for soname, path in libraries.items():
             shutil.copy2(path.resolve(), folder / "lib" / soname)
@@ -103,6 +107,12 @@ def gather(archive: Archive, target: Path) -> Path:
         _write_texts(archive, folder, stem)
         _write_licences(folder / "licences", [loader, *libraries.values()])
     return folder
+
+
+def _copy_helper(target: Path) -> None:
+    make_folder(target)
+    for file in sorted((ROOT / "tools" / "webcam").glob("*.py")):
+        shutil.copyfile(file, target / file.name)
 
 
 def _anonymous(member: tarfile.TarInfo) -> tarfile.TarInfo:

@@ -24,6 +24,7 @@ from . import (
     studio,
     suit,
     wall,
+    webcam,
     xbus,
 )
 from .console import Failure, say
@@ -60,6 +61,7 @@ def main(arguments: list[str]) -> int:
         "studio": studio.main,
         "suit-emulator": suit.main,
         "wall": wall.main,
+        "webcam": webcam.main,
         "options-doc": _options_doc,
     }
     if not arguments or arguments[0].startswith("-"):
@@ -117,7 +119,8 @@ def _role(role: str, arguments: list[str]) -> NoReturn:
         # Before minutes of set-up.
         check_options(f"./run {role}", arguments, help_texts.read(role))
     prepare(export=True)
-    environment = {"PWD": str(user_path(""))}
+    webcam.prepare(arguments)
+    environment = {"PWD": str(user_path("")), webcam.VARIABLE: str(webcam.FOLDER)}
     command = [str(SERVER_BINARY if role == "server" else CLIENT_BINARY), "--no-header"]
     if role == "server" or not real_display():
         command.append("--headless")

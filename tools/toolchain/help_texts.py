@@ -10,7 +10,7 @@ from __future__ import annotations
 import subprocess
 from pathlib import Path
 
-from . import demo, latency, level, load, package, platform_watch, studio, suit, wall
+from . import demo, latency, level, load, package, platform_watch, studio, suit, wall, webcam
 from .console import Failure, tail
 from .godot import Godot
 from .paths import CLIPS, ROOT
@@ -43,6 +43,7 @@ Motion capture without a suit
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
   ./run motion-set show FILE  what walkers move by; build makes a set of motion files
+  ./run webcam --setup      what a webcam as a suit needs; --source=webcam does it by itself
 
 Vehicles
   ./run platform-watch      shows what a motion platform would be sent
@@ -154,6 +155,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "studio": studio.HELP,
         "suit-emulator": suit.HELP,
         "wall": wall.HELP,
+        "webcam": webcam.HELP,
         "motion-sender": _sender(godot),
         "xbus-decode": _xbus_decode(),
     }

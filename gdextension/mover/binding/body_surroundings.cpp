@@ -53,11 +53,12 @@ BodySurroundings::~BodySurroundings() {
 	}
 }
 
-void BodySurroundings::enter(const RID &p_space, std::uint32_t p_mask) {
+void BodySurroundings::enter(const RID &p_space, const Ref<Resource> &p_world, std::uint32_t p_mask) {
 	for (const RID &body : _bodies) {
 		server()->body_set_collision_mask(body, p_mask);
 		server()->body_set_space(body, p_space);
 	}
+	_world = p_world;
 }
 
 void BodySurroundings::set_carrier(const RID &p_body, std::uint32_t p_number) {

@@ -6,6 +6,7 @@
 #include <godot_cpp/classes/physics_test_motion_parameters3d.hpp>
 #include <godot_cpp/classes/physics_test_motion_result3d.hpp>
 #include <godot_cpp/classes/ref.hpp>
+#include <godot_cpp/classes/resource.hpp>
 #include <godot_cpp/variant/rid.hpp>
 #include <godot_cpp/variant/typed_array.hpp>
 
@@ -22,8 +23,8 @@ public:
 	BodySurroundings(const BodySurroundings &) = delete;
 	BodySurroundings &operator=(const BodySurroundings &) = delete;
 
-	/// The space, and the layers that stop a walker.
-	void enter(const RID &p_space, std::uint32_t p_mask);
+	/// The space, what it belongs to, and the layers that stop a walker.
+	void enter(const RID &p_space, const Ref<Resource> &p_world, std::uint32_t p_mask);
 	/// A body that carries who stands on it, under a number from 1 on; 0: it does not any more.
 	void set_carrier(const RID &p_body, std::uint32_t p_number);
 	void set_ladder(const RID &p_body, bool p_is_ladder);
@@ -36,6 +37,8 @@ public:
 	bool find_frame(std::uint32_t p_carrier, mover::Frame &r_frame) const override;
 
 private:
+	/// The space lasts as long as bodies are in it: the engine crashes where one outlives it.
+	Ref<Resource> _world;
 	std::array<RID, mover::STANCES> _bodies;
 	std::array<RID, mover::STANCES> _shapes;
 	Ref<PhysicsTestMotionParameters3D> _parameters;

@@ -13,8 +13,8 @@ constexpr std::size_t BYTES = mover::State::WORDS * sizeof(std::uint32_t);
 
 } // namespace
 
-void WalkerMover::enter(const RID &p_space, int64_t p_mask) {
-	_surroundings.enter(p_space, std::uint32_t(p_mask));
+void WalkerMover::enter(const RID &p_space, const Ref<Resource> &p_world, int64_t p_mask) {
+	_surroundings.enter(p_space, p_world, std::uint32_t(p_mask));
 }
 
 void WalkerMover::set_carrier(const RID &p_body, int64_t p_number) {
@@ -98,7 +98,7 @@ Vector3 WalkerMover::get_velocity() const {
 }
 
 void WalkerMover::_bind_methods() {
-	ClassDB::bind_method(D_METHOD("enter", "space", "mask"), &WalkerMover::enter);
+	ClassDB::bind_method(D_METHOD("enter", "space", "world", "mask"), &WalkerMover::enter);
 	ClassDB::bind_method(D_METHOD("set_carrier", "body", "number"), &WalkerMover::set_carrier);
 	ClassDB::bind_method(D_METHOD("set_ladder", "body", "is_ladder"), &WalkerMover::set_ladder);
 	ClassDB::bind_method(D_METHOD("set_passable", "body", "is_passable"), &WalkerMover::set_passable);

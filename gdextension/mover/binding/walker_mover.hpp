@@ -30,7 +30,7 @@ public:
 		BODY
 	};
 
-	void enter(const RID &p_space, int64_t p_mask);
+	void enter(const RID &p_space, const Ref<Resource> &p_world, int64_t p_mask);
 	void set_carrier(const RID &p_body, int64_t p_number);
 	void set_ladder(const RID &p_body, bool p_is_ladder);
 	void set_passable(const RID &p_body, bool p_is_passable);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "mover.hpp"
 
+#include "directions.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,13 +10,9 @@ namespace mover {
 
 namespace {
 
-constexpr float FLOOR = 0.69f; // Normals that point up by this are ground: 46 degrees.
 constexpr int SLIDES = 4;
-constexpr float LEAST = 1e-5f; // m
-constexpr float FULL_TURN = 6.28318530718f;
 constexpr float TOUCH = 0.02f; // m below the feet that still count as standing.
 constexpr float AHEAD = 0.05f; // m that a step is tried ahead: less would not get over its edge.
-constexpr float GRID = 4096.0f; // Steps in a metre, and in a metre a second.
 constexpr float EDGE = 0.06f; // m that a foot is moved further onto an edge, to see what that is.
 constexpr float REACH = 0.45f; // m ahead in which something can be climbed.
 constexpr float LADDER_REACH = 0.12f; // m
@@ -22,78 +20,6 @@ constexpr float VAULT_S = 0.35f; // Duration of a vault, and what each metre of 
 constexpr float VAULT_S_PER_M = 0.45f;
 constexpr float UP_SHARE = 0.7f; // Of a vault's duration, in which the feet rise.
 constexpr float FASTEST_FALL = 60.0f; // m/s
-
-constexpr Vec3 DOWN{ 0.0f, -1.0f, 0.0f };
-constexpr Vec3 UP{ 0.0f, 1.0f, 0.0f };
-
-Vec3 level(const Vec3 &p_vector) {
-	return { p_vector.x, 0.0f, p_vector.z };
-}
-
-Vec3 normalized(const Vec3 &p_vector) {
-	const float length = p_vector.length();
-	return length > LEAST ? p_vector * (1.0f / length) : Vec3();
-}
-
-Vec3 slid(const Vec3 &p_vector, const Vec3 &p_normal) {
-	return p_vector - p_normal * p_vector.dot(p_normal);
-}
-
-/// A level motion as it goes on up a slope, as far along it.
-Vec3 uphill(const Vec3 &p_motion, const Vec3 &p_normal) {
-	const float into = p_motion.dot(p_normal);
-	const Vec3 along{ p_motion.x, p_motion.y - std::min(into, 0.0f) / p_normal.y, p_motion.z };
-	return along.limited(p_motion.length());
-}
-
-/// An angle from -pi to pi.
-float wrapped(float p_angle) {
-	return p_angle - FULL_TURN * std::round(p_angle / FULL_TURN);
-}
-
-/// Towards a value by at most a step.
-Vec3 approached(const Vec3 &p_from, const Vec3 &p_to, float p_step) {
-	return p_from + (p_to - p_from).limited(p_step);
-}
-
-Vec3 facing(float p_heading) {
-	return { std::sin(p_heading), 0.0f, std::cos(p_heading) };
-}
-
-Vec3 rounded(const Vec3 &p_vector) {
-	const auto number = [](float p_number) { return std::round(p_number * GRID) / GRID; };
-	return { number(p_vector.x), number(p_vector.y), number(p_vector.z) };
-}
-
-float yaw_of(const Quat &p_turn) {
-	const Vec3 ahead = p_turn.rotate({ 0.0f, 0.0f, 1.0f });
-	return std::atan2(ahead.x, ahead.z);
-}
-
-State at_step(const State &p_state, const Vec3 &p_position) {
-	State state = p_state;
-	state.position = p_position;
-	return state;
-}
-
-const Contact *floor_among(const Sweep &p_sweep) {
-	for (int i = 0; i < p_sweep.count; i++) {
-		if (p_sweep.contacts[std::size_t(i)].normal.y > FLOOR) {
-			return &p_sweep.contacts[std::size_t(i)];
-		}
-	}
-	return nullptr;
-}
-
-const Contact *wall_among(const Sweep &p_sweep, const Vec3 &p_motion) {
-	for (int i = 0; i < p_sweep.count; i++) {
-		const Contact &contact = p_sweep.contacts[std::size_t(i)];
-		if (contact.normal.y < FLOOR && contact.normal.dot(p_motion) < 0.0f) {
-			return &contact;
-		}
-	}
-	return nullptr;
-}
 
 } // namespace
 

@@ -126,6 +126,7 @@ func read_sources(p_now_s: float) -> void:
 	if is_panel_open() and p_now_s > _listed_s + _PERIOD_S:
 		_listed_s = p_now_s
 		_panel.show_devices(inputs.list_devices())
+		(_panel.get_node("%Webcam") as WebcamView).show_pictures(inputs.streams.list_pictures())
 		_show_sources()
 
 

@@ -61,6 +61,9 @@ func open(p_options: Options) -> String:
 	people.vanished.connect(vanished.emit)
 	streams.appeared.connect(people.appear)
 	streams.vanished.connect(people.vanish)
+	streams.camera.fov_deg = p_options.degrees("webcam-fov")
+	streams.camera.people = p_options.number("webcam-people")
+	streams.camera.height_m = p_options.metres("webcam-height")
 	var fault: String = _open_recorder()
 	if fault == "" and p_options.text("vmc-out") != "":
 		vmc_out = VmcOut.new()
@@ -222,12 +225,9 @@ func close() -> void:
 
 ## The source where the options name none: a headset, or keys to walk by.
 func _find_default() -> Array[SourceAddress]:
-	var found: Array[SourceAddress] = []
-	if make_default.is_valid():
-		found.append(SourceAddress.parse("xr"))
-	elif not awaits_headset:
-		found.append(SourceAddress.parse("walker"))
-	return found
+	if awaits_headset and not make_default.is_valid():
+		return []
+	return [SourceAddress.parse("xr" if make_default.is_valid() else "walker")]
 
 
 ## Logs once which sources are missing, for those who see no screen.
@@ -297,16 +297,8 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 			_trackers.append(TrackerSource.new(p_address.text))
 			people.appear(_trackers[-1], "", p_number)
 			return ""
-		"walker":
-			return _open_walker(p_number)
-		"xr":
-			if awaits_headset:
-				return ""
-			if not make_default.is_valid():
-				return "--source=xr: no headset is worn: start with --display=hmd"
-			_has_files = true
-			people.appear(make_default.call(), "", p_number)
-			return ""
+		"walker", "xr":
+			return _open_own(p_address.kind, p_number)
 	var before: SlimeFeed = streams.slime
 	var fault: String = streams.open(p_address, p_number)
 	if fault == "" and streams.slime != before:
@@ -314,13 +306,19 @@ func _open_source(p_address: SourceAddress, p_number: int) -> String:
 	return fault
 
 
-func _open_walker(p_number: int) -> String:
-	if walker != null:
-		return "--source=walker is named twice: one client walks for one person"
-	walker = WalkerSource.new()
-	people.walker = p_number
+## Opens what moves the client's own user without a suit: keys, or a headset.
+func _open_own(p_kind: String, p_number: int) -> String:
+	if p_kind == "walker":
+		if walker != null:
+			return "--source=walker is named twice: a client walks for one person"
+		walker = WalkerSource.new()
+		people.walker = p_number
+	elif awaits_headset:
+		return ""
+	elif not make_default.is_valid():
+		return "--source=xr: no headset is worn: start with --display=hmd"
 	_has_files = true
-	people.appear(walker, "", p_number)
+	people.appear(walker if p_kind == "walker" else make_default.call(), "", p_number)
 	return ""
 
 

@@ -16,9 +16,11 @@ static func rows() -> Array[OptionRow]:
 			. text(
 				"source",
 				moving,
-				"motion from elsewhere; again, or with commas, for more (docs/sources.md); by default"
-				+ " you walk by keys: "
-				+ kinds
+				(
+					"motion from elsewhere; again, or with commas, for more (docs/sources.md); by default"
+					+ " you walk by keys: "
+					+ kinds
+				)
 			)
 			. or_more()
 			. shown_as("KIND[:ADDRESS]")
@@ -55,6 +57,18 @@ static func rows() -> Array[OptionRow]:
 				"what the others see you as; by default as the world says, else %s"
 				% AvatarStore.NAMES[0]
 			)
+		),
+		OptionRow.number("webcam-people", moving, 1, [1, 4], "people before a webcam that move"),
+		OptionRow.decimal(
+			"webcam-fov",
+			moving,
+			65.0,
+			[20.0, 170.0],
+			"what a webcam sees across its picture",
+			"degrees"
+		),
+		OptionRow.decimal(
+			"webcam-height", moving, 0.0, [0.0, 2.5], "height of who is before it; 0: usual", "m"
 		),
 		OptionRow.choice(
 			"calibrate", moving, "", ClientCalibration.KINDS.keys(), "calibrate at the start"

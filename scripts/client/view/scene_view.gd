@@ -85,8 +85,8 @@ func look_through_next(p_views: Array[ObserverCamera]) -> String:
 	return "This level has no views of its own" if p_views.is_empty() else "Back to people"
 
 
-## Says where the user turns the own eyes by hand: the angle about +Y, rad, 0 towards +Z, and up, rad.
-## NAN: they look where the body's head does.
+## Says where the user turns the own eyes by hand: the angle about +Y, rad, 0 towards +Z, and up,
+## rad. NAN: they look where the body's head does.
 func look(p_heading: float, p_up: float) -> void:
 	_look = Vector2(p_heading, p_up)
 

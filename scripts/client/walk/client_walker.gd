@@ -104,12 +104,12 @@ func _meet_source() -> void:
 	_source = found as WalkerSource
 	_legs = found as WalkedLegs
 	_actor = -1
-	var space: RID = context.scene.get_world_3d().space
+	var world: World3D = context.scene.get_world_3d()
 	if _legs != null:
-		_legs.ground.enter(space, _bodies)
+		_legs.ground.enter(world, _bodies)
 		_legs.read_input = _controls.read
 	else:
-		_bodies.add_mover(_source.prediction.mover, space)
+		_bodies.add_mover(_source.prediction.mover, world)
 		_source.read_input = _controls.read
 		_source.due_tick = _due_tick
 		_source.send = _send

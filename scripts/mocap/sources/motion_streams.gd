@@ -10,6 +10,8 @@ signal vanished(p_source: MotionSource)
 
 ## Streams of poses, in the order in which they were opened.
 var poses: Array[PoseStream] = []
+## How cameras see, for webcams that are opened.
+var camera: CameraSettings = CameraSettings.new()
 ## SlimeVR's trackers, or null.
 var slime: SlimeFeed = null
 
@@ -50,12 +52,19 @@ func open(p_address: SourceAddress, p_number: int) -> String:
 		(reader as NatnetReader).host = host
 	elif reader is AxisReader:
 		(reader as AxisReader).is_tcp = p_address.is_tcp
+	elif reader is WebcamReader:
+		(reader as WebcamReader).use(camera)
 	var stream: PoseStream = PoseStream.new(reader)
 	stream.appeared.connect(appeared.emit.bind(p_number))
 	stream.vanished.connect(vanished.emit)
 	var fault: String = ""
 	if p_address.is_tcp:
 		stream.open_tcp(p_address.host, p_address.port)
+	elif reader is WebcamReader and p_address.text != "":
+		fault = stream.open_local()
+		var what: String = _pictures_of(p_address)
+		if fault == "":
+			(reader as WebcamReader).start_helper(what, stream.port.get_port())
 	else:
 		fault = stream.open(p_address.port, group)
 	if fault == "":
@@ -112,6 +121,15 @@ func describe() -> String:
 	return ", ".join(texts)
 
 
+## What webcams see, for the panel, in the order in which they were opened.
+func list_pictures() -> Array[WebcamPicture]:
+	var found: Array[WebcamPicture] = []
+	for stream: PoseStream in poses:
+		if stream.reader() is WebcamReader:
+			found.append((stream.reader() as WebcamReader).picture)
+	return found
+
+
 ## UDP ports that are open.
 func list_ports() -> PackedInt32Array:
 	var ports: PackedInt32Array = []
@@ -128,6 +146,12 @@ func close() -> void:
 		stream.close()
 	if slime != null:
 		slime.close()
+
+
+## The pictures that a webcam's address names: a camera's number, or a film.
+static func _pictures_of(p_address: SourceAddress) -> String:
+	var is_camera: bool = p_address.text.is_valid_int()
+	return p_address.text if is_camera else Options.full_path(p_address.text)
 
 
 func _open_slime(p_address: SourceAddress) -> String:

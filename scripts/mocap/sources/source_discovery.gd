@@ -97,6 +97,8 @@ func list() -> Array[Dictionary]:
 		var source: String = listener.kind
 		if listener.port != SourceAddress.PORTS[listener.kind] and listener.kind != "natnet":
 			source += ":%d" % listener.port
+		if listener.kind == "webcam":
+			source = "webcam:udp:%d" % listener.port
 		if listener.fault != "":
 			rows.append(_row(listener, "", "in use", listener.fault))
 		for sender: String in listener.heard:

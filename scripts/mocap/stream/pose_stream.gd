@@ -46,6 +46,11 @@ func _init(p_reader: StreamReader) -> void:
 	_reader = p_reader
 
 
+## What reads the protocol.
+func reader() -> StreamReader:
+	return _reader
+
+
 ## What the protocol is called.
 func title() -> String:
 	return _reader.title()
@@ -53,11 +58,13 @@ func title() -> String:
 
 ## Opens a UDP port, with a multicast group if one is given. Returns why it can't, or an empty text.
 func open(p_port: int, p_group: String = "") -> String:
-	var fault: String = port.open_udp(p_port, take, p_group)
-	if fault != "":
-		return "%s: %s" % [title(), fault]
-	Log.info("mocap", "receives %s on %s" % [title(), port.describe()])
-	return ""
+	return _open(port.open_udp(p_port, take, p_group))
+
+
+## Opens any port that is free, which only this machine reaches. Returns why it can't, or an empty
+## text.
+func open_local() -> String:
+	return _open(port.open_udp(0, take, "", "127.0.0.1"))
 
 
 ## Connects to the TCP port of a sender.
@@ -69,6 +76,7 @@ func open_tcp(p_host: String, p_port: int) -> void:
 ## Closes it; everybody vanishes.
 func close() -> void:
 	port.close()
+	_reader.close()
 	_mutex.lock()
 	_heard.clear()
 	_mutex.unlock()
@@ -117,6 +125,8 @@ func advance() -> void:
 ## What is wrong with the stream, for the screen; empty if nothing is.
 func trouble() -> String:
 	var texts: PackedStringArray = []
+	if _reader.obstacle() != "":
+		texts.append("%s: %s" % [title(), _reader.obstacle()])
 	_mutex.lock()
 	for sender: String in _details:
 		if _details[sender][1] != "":
@@ -133,8 +143,8 @@ func describe() -> String:
 	if not port.is_open():
 		return "%s is not open" % title()
 	if people.is_empty():
-		return "no %s on %s yet" % [title(), port.describe()]
-	return "%d people of %s on %s" % [people.size(), title(), port.describe()]
+		return "no %s on %s yet" % [title(), _place()]
+	return "%d people of %s on %s" % [people.size(), title(), _place()]
 
 
 ## For the panel: the port, and everybody in the stream; see [constant DeviceList.KEYS].
@@ -148,11 +158,15 @@ func list_devices() -> Array[Dictionary]:
 		notes.append("%d of a flood left out" % left_out)
 	if _crowd > 0:
 		notes.append("more than %d people" % MAX_PEOPLE)
-	var why: String = "" if _why.is_empty() or not people.is_empty() else str(_why.values()[0])
+	var why: String = _reader.obstacle()
+	if why == "" and people.is_empty():
+		for sender: String in _details:
+			why = _details[sender][1] if why == "" else why
+		why = str(_why.values()[0]) if why == "" and not _why.is_empty() else why
 	_mutex.unlock()
 	var rows: Array[Dictionary] = [
 		{
-			"name": "%s (%s)" % [title(), port.describe()],
+			"name": "%s (%s)" % [title(), _place()],
 			"state": "waits" if people.is_empty() else "receives",
 			"detail": ", ".join(notes),
 			"advice": why,
@@ -195,6 +209,18 @@ func look(p_now_s: float) -> void:
 			appeared.emit(fresh[key], fresh[key].get_name())
 
 
+func _open(p_fault: String) -> String:
+	if p_fault != "":
+		return "%s: %s" % [title(), p_fault]
+	Log.info("mocap", "receives %s on %s" % [title(), port.describe()])
+	return ""
+
+
+## Where the stream comes from, for people.
+func _place() -> String:
+	return _reader.place() if _reader.place() != "" else port.describe()
+
+
 func _row(p_person: StreamPerson) -> Dictionary:
 	var stats: Dictionary = p_person.stats()
 	var notes: PackedStringArray = ["%.0f Hz" % stats["rate_hz"]]
@@ -216,11 +242,15 @@ func _row(p_person: StreamPerson) -> Dictionary:
 	if who == "":
 		who = "no name"
 	return {
-		"name": "%s: %s (%s)" % [title(), who, p_person.sender],
+		"name": "%s: %s (%s)" % [title(), who, _sender_of(p_person)],
 		"state": "streams" if age_s <= 0.5 else "silent",
 		"detail": ", ".join(notes),
 		"advice": known[1],
 	}
+
+
+func _sender_of(p_person: StreamPerson) -> String:
+	return _reader.place() if _reader.place() != "" else p_person.sender
 
 
 func _person(p_sample: StreamSample, p_sender: String) -> StreamPerson:

@@ -16,6 +16,8 @@ enum Form {
 	NAME,
 	## Paths of files, with commas between.
 	FILES,
+	## The number of a camera, the path of a film, or a UDP port "udp:PORT"; or nothing.
+	CAMERA,
 }
 
 ## How the forms are written, for people.
@@ -26,6 +28,7 @@ const FORMS: Dictionary[Form, String] = {
 	Form.HOST: "[:HOST]",
 	Form.NAME: ":NAME",
 	Form.FILES: ":FILE",
+	Form.CAMERA: "[:NUMBER|FILE|udp:PORT]",
 }
 ## The kinds and what follows each.
 const KINDS: Dictionary[String, Form] = {
@@ -39,10 +42,12 @@ const KINDS: Dictionary[String, Form] = {
 	"axis": Form.PORT_OR_TCP,
 	"mocopi": Form.PORT,
 	"natnet": Form.HOST,
-	"webcam": Form.PORT,
+	"webcam": Form.CAMERA,
 	"xr": Form.BARE,
 	"walker": Form.BARE,
 }
+## The greatest number of a camera.
+const MAX_CAMERA: int = 63
 ## The usual ports.
 const PORTS: Dictionary[String, int] = {
 	"mvn": 9763,
@@ -57,13 +62,13 @@ const PORTS: Dictionary[String, int] = {
 
 ## One of [constant KINDS].
 var kind: String = ""
-## The UDP port, or with [member host] of "tcp:" the TCP port.
+## The UDP port, or with [member host] of "tcp:" the TCP port; 0 of a camera or film.
 var port: int = 0
 ## The host, or an empty text.
 var host: String = ""
 ## Whether it is a TCP connection to [member host].
 var is_tcp: bool = false
-## The name of a tracker, or paths of files.
+## The name of a tracker, paths of files, or the number of a camera.
 var text: String = ""
 ## What is wrong with it, or an empty text.
 var fault: String = ""
@@ -166,8 +171,23 @@ func _read(p_rest: String, p_is_given: bool) -> void:
 			var is_bad: bool = p_rest.contains(":") or p_rest.contains("/") or p_rest.contains(" ")
 			if (p_is_given and p_rest == "") or is_bad:
 				fault = "write %s, found '%s'" % [written, p_rest.left(40)]
+		Form.CAMERA:
+			_read_camera(p_rest, p_is_given, written)
 		_:
 			_read_port(p_rest, p_is_given, written)
+
+
+func _read_camera(p_rest: String, p_is_given: bool, p_written: String) -> void:
+	if p_rest.begins_with("udp:"):
+		_read_port(p_rest.trim_prefix("udp:"), true, p_written)
+		return
+	port = 0
+	text = p_rest if p_is_given else "0"
+	if text == "":
+		fault = "write %s" % p_written
+	elif text.is_valid_int() and (text.to_int() < 0 or text.to_int() > MAX_CAMERA):
+		var parts: Array = [MAX_CAMERA, text.left(40), text.left(40)]
+		fault = "cameras are 0 to %d, found '%s'; a port is written webcam:udp:%s" % parts
 
 
 func _read_port(p_rest: String, p_is_given: bool, p_written: String) -> void:

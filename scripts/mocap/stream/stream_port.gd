@@ -55,12 +55,15 @@ class Parcel:
 
 
 ## Opens a UDP port; 0 takes any that is free. With a group it joins that multicast group on all
-## networks too. Returns why it can't, or an empty text.
-func open_udp(p_port: int, p_take: Callable, p_group: String = "") -> String:
+## networks too. Only this machine reaches it at the address 127.0.0.1. Returns why it can't, or an
+## empty text.
+func open_udp(
+	p_port: int, p_take: Callable, p_group: String = "", p_address: String = "0.0.0.0"
+) -> String:
 	close()
 	_udp = PacketPeerUDP.new()
 	_udp.set_broadcast_enabled(true)
-	var failure: Error = _udp.bind(p_port, "0.0.0.0", ROOM)
+	var failure: Error = _udp.bind(p_port, p_address, ROOM)
 	if failure != OK:
 		_udp = null
 		if failure == ERR_UNAVAILABLE:

@@ -36,6 +36,21 @@ func trouble(_p_sender: String) -> String:
 	return ""
 
 
+## Where the stream comes from, for people, if that is no port that others send to.
+func place() -> String:
+	return ""
+
+
+## What keeps the stream from coming at all, for people; mostly empty. In the main thread.
+func obstacle() -> String:
+	return ""
+
+
+## Lets go of what it has opened. In the main thread.
+func close() -> void:
+	pass
+
+
 ## Refuses the datagram: says why.
 func refuse(p_why: String) -> Array[StreamSample]:
 	fault = p_why

@@ -2,7 +2,9 @@ class_name LandmarkPose
 extends RefCounted
 ## Rotations of limbs from points on the body: each limb points along its bone (aim), and is turned
 ## about itself as the hinge of its elbow or knee has it (pole). A straight limb shows no hinge: it
-## keeps the one that it had last, carried along with the limb.
+## keeps the one that it had last, carried along with the limb. Joints stay within what people can:
+## elbows and knees bend one way only, legs turn about themselves only so far ([LimbLimits]). Limbs
+## that are not seen ease from where they were last to where they rest ([LimbMemory]).
 
 ## Points as MediaPipe numbers them; of pairs the left one, the right one has the next number.
 const NOSE: int = 0
@@ -18,13 +20,18 @@ const ANKLE: int = 27
 const HEEL: int = 29
 const TOE: int = 31
 ## Visibility below which a point is not used, 0 to 1.
-const MIN_VISIBILITY: float = 0.5
+const MIN_VISIBILITY: float = 0.2
 ## Bend below which a joint shows no hinge axis, rad; from twice that on the axis counts fully.
 const STRAIGHT: float = deg_to_rad(8.0)
 ## How far the nose is below the ears, seen from the side, for a head that is level, rad.
 const NOSE_PITCH: float = deg_to_rad(14.0)
+## How far pelvis and chest are pitched from the line between the landmarks of hips and shoulders,
+## which lie before the hip joints and behind the shoulders' (mean of 24 films of clips), rad.
+const PELVIS_PITCH: float = deg_to_rad(-8.0)
+const CHEST_PITCH: float = deg_to_rad(5.0)
 
 var _filler: LimbFiller = LimbFiller.new()
+var _memory: LimbMemory = LimbMemory.new()
 var _standing: StandingHeight = StandingHeight.new(BodySize.new())
 var _places: PackedVector3Array = PackedVector3Array()
 var _seen: PackedFloat32Array = PackedFloat32Array()
@@ -32,28 +39,51 @@ var _seen: PackedFloat32Array = PackedFloat32Array()
 var _last: Dictionary[int, Quaternion] = {}
 
 
-## The pose of points (m, Godot's frame) and how well each is seen; null without hips and shoulders.
-func make(p_places: PackedVector3Array, p_seen: PackedFloat32Array) -> PoseSample:
+## The pose of points (m, Godot's frame) and how well each is seen, a time, s, after the last one;
+## null without shoulders.
+func make(
+	p_places: PackedVector3Array, p_seen: PackedFloat32Array, p_step_s: float = 0.0
+) -> PoseSample:
 	_places = p_places
 	_seen = p_seen
 	_filler.clear()
-	if not _sees([HIP, HIP + 1, SHOULDER, SHOULDER + 1]):
+	if not _sees([SHOULDER, SHOULDER + 1]):
 		return null
-	var hips: Vector3 = (_places[HIP] + _places[HIP + 1]) / 2.0
-	var neck: Vector3 = (_places[SHOULDER] + _places[SHOULDER + 1]) / 2.0
-	var up: Vector3 = neck - hips
-	_set_mount(BodyMounts.PELVIS, _frame(_places[HIP] - _places[HIP + 1], up))
-	_set_mount(BodyMounts.STERNUM, _frame(_places[SHOULDER] - _places[SHOULDER + 1], up))
+	_make_trunk()
 	if _filler.known[BodyMounts.PELVIS] == 0 or _filler.known[BodyMounts.STERNUM] == 0:
 		return null
 	_make_head()
 	for side: int in 2:
 		_make_arm(side)
 		_make_leg(side)
+	var known: PackedByteArray = _filler.known.duplicate()
+	if not _sees([HIP, HIP + 1]):
+		known[BodyMounts.PELVIS] = 0
+	_filler.fill()
+	_memory.ease(_filler, known, p_step_s)
 	_filler.fill()
 	var pose: PoseSample = _filler.pose()
+	for mount: int in BodyMounts.COUNT:
+		var is_blade: bool = BodyMounts.LIMBS[mount] == Limbs.CHEST and mount != BodyMounts.STERNUM
+		if not is_blade:
+			pose.details.measured[BodyMounts.LIMBS[mount]] = known[mount]
 	pose.root = Vector3(0.0, _standing.of(pose), 0.0)
 	return pose
+
+
+## Who sits at a desk shows no hips: the trunk is upright then.
+func _make_trunk() -> void:
+	var across: Vector3 = _places[SHOULDER] - _places[SHOULDER + 1]
+	if not _sees([HIP, HIP + 1]):
+		var level: Vector3 = Vector3(across.x, 0.0, across.z)
+		_set_mount(BodyMounts.PELVIS, _frame(level, Vector3.UP))
+		_set_mount(BodyMounts.STERNUM, _frame(across, Vector3.UP))
+		return
+	var hips: Vector3 = (_places[HIP] + _places[HIP + 1]) / 2.0
+	var up: Vector3 = (_places[SHOULDER] + _places[SHOULDER + 1]) / 2.0 - hips
+	var pelvis: Quaternion = _frame(_places[HIP] - _places[HIP + 1], up)
+	_set_mount(BodyMounts.PELVIS, pelvis * Quaternion(Vector3.RIGHT, PELVIS_PITCH))
+	_set_mount(BodyMounts.STERNUM, _frame(across, up) * Quaternion(Vector3.RIGHT, CHEST_PITCH))
 
 
 func _make_head() -> void:
@@ -72,13 +102,16 @@ func _make_arm(p_side: int) -> void:
 	if not _sees([SHOULDER + p_side, ELBOW + p_side]):
 		return
 	var first: Vector3 = _places[ELBOW + p_side] - _places[SHOULDER + p_side]
+	var rest: Vector3 = Vector3.RIGHT * mirror
 	if not _sees([WRIST + p_side]):
-		_set_mount(upper, _carried(upper, Vector3.RIGHT * mirror, first))
+		_set_mount(upper, _carried(upper, rest, first))
 		return
 	var second: Vector3 = _places[WRIST + p_side] - _places[ELBOW + p_side]
 	# An elbow bends a stretched arm forward: about -Y on the left.
 	var axis: Vector3 = first.cross(second) * -mirror
-	_hinge(upper, Vector3.RIGHT * mirror, Vector3.UP, [first, second], axis)
+	var chest: Quaternion = _filler.rotations[BodyMounts.STERNUM]
+	axis = LimbLimits.arm_axis(chest, rest, first, axis)
+	_hinge(upper, rest, Vector3.UP, [first, second], axis)
 	var hand: int = upper + 2
 	if _sees([PINKY + p_side, INDEX + p_side]):
 		var knuckles: Vector3 = (_places[PINKY + p_side] + _places[INDEX + p_side]) / 2.0
@@ -98,12 +131,15 @@ func _make_leg(p_side: int) -> void:
 		return
 	var second: Vector3 = _places[ANKLE + p_side] - _places[KNEE + p_side]
 	# A knee bends a shank back: about X.
-	_hinge(thigh, Vector3.DOWN, Vector3.RIGHT, [first, second], first.cross(second))
+	var pelvis: Quaternion = _filler.rotations[BodyMounts.PELVIS]
+	var along: Array[Vector3] = LimbLimits.leg(pelvis, first, second)
+	_hinge(thigh, Vector3.DOWN, Vector3.RIGHT, along, along[0].cross(along[1]))
 	if _sees([HEEL + p_side, TOE + p_side]) and _filler.known[thigh + 1] != 0:
 		var ahead: Vector3 = _places[TOE + p_side] - _places[HEEL + p_side]
 		var left: Vector3 = _filler.rotations[thigh + 1] * Vector3.RIGHT
 		left -= ahead * (left.dot(ahead) / maxf(ahead.length_squared(), 1e-9))
-		_set_mount(thigh + 2, _frame(left, ahead.cross(left)))
+		var foot: Quaternion = _frame(left, ahead.cross(left))
+		_set_mount(thigh + 2, LimbLimits.foot(_filler.rotations[thigh + 1], foot))
 
 
 ## Sets two limbs that a hinge joins: both are turned about themselves so that their axis is the
@@ -114,9 +150,7 @@ func _hinge(
 	var size: float = p_along[0].length() * p_along[1].length()
 	if size < 1e-6:
 		return
-	var bend: float = asin(clampf(p_hinge.length() / size, 0.0, 1.0))
-	if p_along[0].dot(p_along[1]) < 0.0:
-		bend = PI - bend
+	var bend: float = p_along[0].angle_to(p_along[1])
 	var trust: float = clampf(bend / STRAIGHT - 1.0, 0.0, 1.0)
 	for part: int in 2:
 		var kept: Quaternion = _carried(p_mount + part, p_rest, p_along[part])

@@ -3,10 +3,11 @@ extends RefCounted
 ## The last commands of a client as bytes: client to server, fast path. Each command is sent at once
 ## and again with the next ones, so that one that gets lost comes with a later datagram.
 ##
-## Little-endian: u8 message; u16 number of the newest command; u8 count, 1 to 8, the newest last; of
-## each u8 1 if it is the same command as the one before, of the same entity and size, a tick later:
-## then only its values follow. Else u8 0, u32 the server's tick that it is meant for, u16 entity, u8
-## which of its type's commands, u8 size, its values as in [method EntitySchema.encode].
+## Little-endian: u8 message; u16 number of the newest command; u8 count, 1 to 8, the newest last;
+## of each u8 1 if it is the same command as the one before, of the same entity and size, a tick
+## later: then only its values follow. Else u8 0, u32 the server's tick that it is meant for, u16
+## entity, u8 which of its type's commands, u8 size, its values as in
+## [method EntitySchema.encode].
 
 ## Maximum of commands in a datagram.
 const MAX_REPEATED: int = 8

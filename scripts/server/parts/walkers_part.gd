@@ -33,9 +33,10 @@ func report() -> Dictionary:
 			. append(
 				{
 					"name": walker.person.name,
-				"position": _numbers(walker.mover.get_position()),
-				"hips": _numbers(walker.person.hips()),
-				"mode": walker.mover.get_mode(),
+					"position": _numbers(walker.mover.get_position()),
+					"hips": _numbers(walker.person.hips()),
+					"mode": walker.mover.get_mode(),
+					"carrier": walker.mover.get_carrier(),
 					"inputs": walker.inputs,
 					"corrections": walker.corrections,
 				}
@@ -57,7 +58,7 @@ func _on_commanded(
 		return
 	if not _walkers.has(p_person.id):
 		var walker: ServerWalker = ServerWalker.new(p_person)
-		_bodies.add_mover(walker.mover, context.people.get_world_3d().space)
+		_bodies.add_mover(walker.mover, context.people.get_world_3d())
 		_walkers[p_person.id] = walker
 	_walkers[p_person.id].take(p_values)
 

@@ -8,7 +8,7 @@ extends RefCounted
 ## on when that stands.
 
 ## How far the body may be held back from the walker, m: beyond that the walker waits for it.
-const MOST_TETHER_M: float = 0.5
+const MAX_TETHER_M: float = 0.5
 ## Speed with which the motion comes to where a walker was put, m/s.
 const GLIDE: float = 5.0
 ## Time without an input after which the walker stands still, s.
@@ -92,8 +92,8 @@ func _follow_body() -> void:
 	elif mover.get_mode() == WalkerMover.WALK:
 		var behind: Vector3 = person.hips() - _hips
 		behind.y = 0.0
-		if behind.length() > MOST_TETHER_M:
-			mover.push(behind.limit_length(behind.length() - MOST_TETHER_M))
+		if behind.length() > MAX_TETHER_M:
+			mover.push(behind.limit_length(behind.length() - MAX_TETHER_M))
 	if person.sitting != null:
 		return
 	# Hands climb where feet find nothing.

@@ -1,6 +1,6 @@
 extends RefCounted
-## A walker's body at the server, in physics: a person of [ServerPeople], driven by a [ServerWalker],
-## whose client agrees with the server. Godot's frame; m, s, rad.
+## A walker's body at the server, in physics: a person of [ServerPeople], driven by a
+## [ServerWalker], whose client agrees with the server. Godot's frame; m, s, rad.
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 const TICK_S: float = 1.0 / 60.0
@@ -35,17 +35,23 @@ func _init(p_view: SubViewport, p_at: Vector3) -> void:
 	person = _people.list()[0]
 	person.stand_at(Transform3D(Basis.IDENTITY, p_at))
 	walker = ServerWalker.new(person)
-	walker.mover.enter(p_view.find_world_3d().space, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+	var world: World3D = p_view.find_world_3d()
+	walker.mover.enter(world.space, world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
 
 
 ## A tick, before the physics step, by what the user wishes.
 func advance(p_input: WalkerInput) -> void:
+	p_input.check = walker.mover.get_check()
+	walker.take(p_input.to_values())
+	advance_silent()
+
+
+## A tick in which nothing comes from the client.
+func advance_silent() -> void:
 	tick += 1
 	var now_s: float = tick * TICK_S
 	_people.measure()
 	_measure()
-	p_input.check = walker.mover.get_check()
-	walker.take(p_input.to_values())
 	walker.advance(tick, now_s, TICK_S)
 	_people.advance()
 	_people.drive(now_s, TICK_S)

@@ -10,6 +10,8 @@ const STEPS: int = 16
 const STAIRS: Vector3 = Vector3(70.0, 0.0, 0.0)
 const SLOPE: Vector3 = Vector3(90.0, 0.0, 0.0)
 const CORNERS: Vector3 = Vector3(-80.0, 0.0, 0.0)
+## Where nothing is around.
+const OPEN: Vector3 = Vector3(120.0, 0.0, -60.0)
 ## Half the side of the room with the corners, m.
 const ROOM_M: float = 4.0
 ## Numbers of what moves.
@@ -60,7 +62,8 @@ func set_tick(p_tick: int) -> void:
 ## Somebody who walks in it.
 func mover() -> WalkerMover:
 	var made: WalkerMover = WalkerMover.new()
-	made.enter(view.find_world_3d().space, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+	var world: World3D = view.find_world_3d()
+	made.enter(world.space, world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
 	for number: int in _moving:
 		made.set_carrier(_moving[number].get_rid(), number)
 	return made

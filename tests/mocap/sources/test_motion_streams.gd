@@ -9,7 +9,7 @@ func goes_by_clock() -> bool:
 func test_every_kind_opens_waits_and_closes() -> void:
 	var streams: MotionStreams = MotionStreams.new()
 	var number: int = 0
-	for kind: String in ["vmc", "rokoko", "axis", "mocopi", "webcam", "slime"]:
+	for kind: String in ["vmc", "rokoko", "axis", "mocopi", "webcam:udp:1", "slime"]:
 		var address: SourceAddress = SourceAddress.parse(kind)
 		address.port = 0
 		number += 1

@@ -83,9 +83,59 @@ func test_what_is_not_seen_is_filled() -> void:
 	equal(samples[0].pose.find_fault(), "")
 	equal(samples[0].pose.details.measured[Limbs.LEFT_LOWER_LEG], 0)
 	equal(samples[0].pose.details.measured[Limbs.RIGHT_LOWER_LEG], 1)
+	# Who sits at a desk shows no hips.
 	message["world_landmarks"][LandmarkPose.HIP][3] = 0.1
+	samples = reader.read(JSON.stringify(message).to_utf8_buffer(), "x")
+	equal(samples.size(), 1)
+	equal(samples[0].pose.details.measured[Limbs.HIPS], 0)
+	message["world_landmarks"][LandmarkPose.SHOULDER][3] = 0.1
 	equal(reader.read(JSON.stringify(message).to_utf8_buffer(), "x").size(), 0)
 	contains(reader.fault, "not seen")
+
+
+func test_news_and_small_pictures_are_kept_for_the_panel() -> void:
+	var reader: WebcamReader = WebcamReader.new()
+	var news: Dictionary = {"rate_hz": 29.7, "work_ms": 21.0, "faults": ["it is dark", 3, "x\n"]}
+	equal(reader.read(JSON.stringify({"status": news}).to_utf8_buffer(), "x").size(), 0)
+	equal(reader.fault, "")
+	contains(reader.detail("x"), "30 pictures/s")
+	contains(reader.trouble("x"), "it is dark")
+	is_true(not reader.trouble("x").contains("\n"))
+	equal(reader.trouble("y"), "")
+	var image: Image = Image.create(32, 18, false, Image.FORMAT_RGB8)
+	reader.read(image.save_jpg_to_buffer(), "x")
+	equal(reader.picture.count(), 0, "a stranger's picture is none")
+	reader.fault = ""
+	reader.helper = WebcamHelper.new()
+	reader.read(image.save_jpg_to_buffer(), "x")
+	equal(reader.fault, "")
+	equal(reader.picture.count(), 1)
+	equal(reader.picture.image().get_size(), Vector2i(32, 18))
+	for strange: String in ['{"status": 3}', '{"status": {"faults": 4, "rate_hz": "x"}}']:
+		equal(reader.read(strange.to_utf8_buffer(), "x").size(), 0)
+		equal(reader.fault, "")
+
+
+func test_landmarks_in_the_picture_are_checked() -> void:
+	var message: Dictionary = JSON.parse_string(
+		WebcamWriter.new().write(_clip().pose_at(1.0))[0].get_string_from_utf8()
+	)
+	var points: Array = []
+	for number: int in WebcamReader.POINTS:
+		points.append([0.5, 0.3 + 0.005 * number, 0.0, 0.9])
+	message["picture"] = [1280, 720]
+	message["landmarks"] = points
+	var reader: WebcamReader = WebcamReader.new()
+	equal(reader.read(JSON.stringify(message).to_utf8_buffer(), "x").size(), 1)
+	equal(reader.picture.people(reader.now_usec).size(), 1)
+	equal(reader.picture.people(reader.now_usec + 2000000).size(), 0)
+	message["picture"] = [1280, 0]
+	equal(reader.read(JSON.stringify(message).to_utf8_buffer(), "x").size(), 0)
+	contains(reader.fault, "pixels")
+	message["picture"] = [1280, 720]
+	points[3] = [0.1, "x", 0.0, 1.0]
+	equal(reader.read(JSON.stringify(message).to_utf8_buffer(), "x").size(), 0)
+	contains(reader.fault, "in the picture")
 
 
 func test_what_is_none_is_reported() -> void:
@@ -101,6 +151,8 @@ func test_what_is_none_is_reported() -> void:
 		reader.fault = ""
 		equal(reader.read(cases[wanted].to_utf8_buffer(), "x").size(), 0, wanted)
 		contains(reader.fault, wanted)
+	var status: PackedByteArray = '{"status": {"faults": ["dark"], "rate_hz": 3}}'.to_utf8_buffer()
+	equal(LossyLine.fuzz(reader, [status] as Array[PackedByteArray], 500), "")
 	equal(LossyLine.fuzz(reader, WebcamWriter.new().write(_clip().pose_at(1.0)), 500), "")
 
 

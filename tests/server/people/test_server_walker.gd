@@ -1,0 +1,75 @@
+extends TestCase
+## Somebody who walks without a suit, at the server: a body in physics that goes where the walker
+## goes, falls, gets up and walks on.
+
+const WalkerBody: GDScript = preload("res://tests/bench/walker/walker_body.gd")
+const WalkerCourse: GDScript = preload("res://tests/bench/walker/walker_course.gd")
+
+var _course: WalkerCourse = null
+var _body: WalkerBody = null
+
+
+func before_each() -> void:
+	_course = WalkerCourse.new(5, self)
+	await physics_frames(2)
+	_body = WalkerBody.new(_course.view, WalkerCourse.OPEN)
+
+
+func after_each() -> void:
+	_body.free_all()
+	_course.view.queue_free()
+	await process_frames(2)
+
+
+func test_the_body_walks_where_the_walker_does() -> void:
+	await _advance(60, Vector2.ZERO)
+	await _advance(180, Vector2(0.0, 1.5))
+	var walker: Vector3 = _body.walker.mover.get_position()
+	is_true(walker.z > WalkerCourse.OPEN.z + 3.0, str(walker))
+	var apart: Vector3 = _body.person.hips() - walker
+	is_true(Vector2(apart.x, apart.z).length() < 0.4, str(apart))
+	is_true(apart.y > 0.8, "it stands: %s" % apart)
+	equal(_body.down_ticks, 0)
+
+
+func test_nobody_is_faster_than_people_are() -> void:
+	await _advance(60, Vector2.ZERO)
+	await _advance(60, Vector2(600.0, 0.0))
+	is_true(_body.walker.mover.get_velocity().length() < 5.6)
+
+
+func test_a_client_that_is_silent_stands_still() -> void:
+	await _advance(30, Vector2(0.0, 1.5))
+	for _tick: int in 90:
+		await physics_frames(1)
+		_body.advance_silent()
+	equal(_body.walker.mover.get_velocity(), Vector3.ZERO)
+
+
+func test_who_is_shoved_falls_gets_up_and_walks_on() -> void:
+	await _advance(90, Vector2.ZERO)
+	var chest: RID = _body.person.ragdoll.get_bodies()[Limbs.CHEST]
+	PhysicsServer3D.body_apply_central_impulse(chest, Vector3(160.0, 0.0, 0.0))
+	var lowest: float = INF
+	var ticks: int = 0
+	await _advance(60, Vector2(0.0, 1.5))
+	equal(_body.walker.mover.get_mode(), WalkerMover.BODY as int, "physics has the body")
+	while _body.walker.mover.get_mode() == WalkerMover.BODY and ticks < 400:
+		ticks += 1
+		await _advance(1, Vector2.ZERO)
+		lowest = minf(lowest, _body.person.hips().y)
+		var apart: Vector3 = _body.person.hips() - _body.walker.mover.get_position()
+		is_true(Vector2(apart.x, apart.z).length() < 0.3, "the walker follows: %s" % apart)
+	is_true(ticks < 240, "up after %d ticks" % ticks)
+	is_true(lowest < 0.5, "it lay: %.2f m" % lowest)
+	var from: Vector3 = _body.person.hips()
+	await _advance(120, Vector2(0.0, 1.5))
+	is_true(_body.person.hips().z - from.z > 1.0)
+
+
+func _advance(p_ticks: int, p_wish: Vector2) -> void:
+	for _tick: int in p_ticks:
+		await physics_frames(1)
+		var input: WalkerInput = WalkerInput.new()
+		input.wish = p_wish
+		_body.advance(input)
