@@ -12,9 +12,9 @@ extends MotionSource
 
 ## Time in which the walker's legs take over, and the own ones again, s.
 const BLEND_S: float = 0.3
-## Faster than this it goes on with the walker's legs, which slow down by steps, m/s.
+## Speed beyond which it goes on with the walker's legs, which slow down by steps, m/s.
 const _WALKS: float = 1.7
-## Slower than this it stands, m/s.
+## Speed below which it stands, m/s.
 const _STANDS: float = 0.05
 ## How long a turn counts as wished after it was, s: a mouse turns by fits.
 const _TURN_S: float = 0.15

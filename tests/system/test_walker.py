@@ -35,6 +35,23 @@ def test_who_names_no_source_walks_with_a_body(world: World) -> None:
     assert "ERROR" not in server.log()
 
 
+def test_a_walker_s_legs_carry_a_worn_motion(world: World) -> None:
+    server = world.server()
+    fuse = ("--bvh=assets/motion/Boxing_Toes.bvh", "--source=walker", "--fuse=legs:2")
+    trainee = world.client("trainee", "--name=Cay", *fuse, "--walk=1.2:0:40:60", "--fps=60")
+    begin = trainee.await_report(lambda seen: seen["legs"]["share"] == 1.0)["legs"]["position"]
+    # A circle of 1.7 m: as far from its beginning as it gets.
+    trainee.await_report(lambda seen: math.dist(seen["legs"]["position"], begin) > 2.5)
+    told = server.await_report(lambda told: told["people"][0]["count"] > 16 * 120)
+    # One person, whose body goes where its motion is; for the server nobody walks.
+    assert len(told["people"]) == 1
+    assert told["walkers"] == []
+    assert told["people"][0]["mean_deg"] < 8.0, told["people"]
+    assert told["people"][0]["distance_m"] < 0.6, told["people"]
+    assert "ERROR" not in trainee.log()
+    assert "ERROR" not in server.log()
+
+
 def test_keys_and_mouse_walk_in_a_window(world: World, display: dict[str, str]) -> None:
     server = world.server()
     window = Window(world, display, "--role=trainee", "--quality=low", "--name=Bea")

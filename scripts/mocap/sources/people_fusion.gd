@@ -8,7 +8,7 @@ signal appeared(p_source: MotionSource, p_name: String)
 ## Somebody is one no more.
 signal vanished(p_source: MotionSource)
 
-## What somebody who walks by keys or a stick gives to another: all of it or nothing.
+## The groups that somebody who walks by keys or a stick gives to another: all or none.
 const WALKED: Array[LimbFusion.Group] = [
 	LimbFusion.Group.ROOT, LimbFusion.Group.LEGS, LimbFusion.Group.FEET
 ]
