@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from .conftest import WINDOW_LIMIT_S, World
+from .conftest import CLIPS, WINDOW_LIMIT_S, World
 from .pictures import Window
 
 Report = dict[str, Any]
@@ -37,7 +37,7 @@ def test_who_names_no_source_walks_with_a_body(world: World) -> None:
 
 def test_a_walker_s_legs_carry_a_worn_motion(world: World) -> None:
     server = world.server()
-    fuse = ("--bvh=assets/motion/Boxing_Toes.bvh", "--source=walker", "--fuse=legs:2")
+    fuse = (f"--bvh={CLIPS / 'Boxing_Toes.bvh'}", "--source=walker", "--fuse=legs:2")
     trainee = world.client("trainee", "--name=Cay", *fuse, "--walk=1.2:0:40:60", "--fps=60")
     begin = trainee.await_report(lambda seen: seen["legs"]["share"] == 1.0)["legs"]["position"]
     # A circle of 1.7 m: as far from its beginning as it gets.
