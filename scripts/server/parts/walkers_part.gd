@@ -46,8 +46,10 @@ func report() -> Dictionary:
 
 
 func _on_person_added(p_person: ServerPerson) -> void:
-	if p_person.entity != null:
-		p_person.entity.commanded.connect(_on_commanded.bind(p_person))
+	# Another level has the same bodies once more.
+	var entity: Entity = p_person.entity
+	if entity != null and not entity.commanded.is_connected(_on_commanded):
+		entity.commanded.connect(_on_commanded.bind(p_person))
 
 
 func _on_commanded(
