@@ -12,6 +12,8 @@ extends MotionSource
 
 ## Time in which the walker's legs take over, and the own ones again, s.
 const BLEND_S: float = 0.3
+## Speed of the hips in the middle of a blend, at most, m/s: who lies takes longer to stand.
+const _RISE: float = 2.0
 ## Speed beyond which it goes on with the walker's legs, which slow down by steps, m/s.
 const _WALKS: float = 1.7
 ## Speed below which it stands, m/s.
@@ -19,7 +21,7 @@ const _STANDS: float = 0.05
 ## How long a turn counts as wished after it was, s: a mouse turns by fits.
 const _TURN_S: float = 0.15
 ## Time constant with which the walker's heading follows the wearer's hips, s.
-const _FACING_S: float = 0.3
+const _FACING_S: float = 0.6
 ## Longest time that a sample is after the last one, and of a tick, s.
 const _MAX_S: float = 0.1
 const _TICK_S: float = 1.0 / 40.0
@@ -214,10 +216,12 @@ func _walk(p_own: PoseSample, p_passed_s: float) -> PoseSample:
 	for _tick: int in ticks:
 		ground.tick(input, p_passed_s / ticks)
 		walked = _pose.advance(ground.mover, input, p_passed_s / ticks, ground.shift)
-	_share = move_toward(_share, 1.0 if asks else 0.0, p_passed_s / BLEND_S)
-	_moved += ground.place() - before
-	_goes = _share > 0.0 or ground.mover.get_velocity().length() > _STANDS
 	_bring_into_frame(walked)
+	_moved += ground.place() - before
+	var apart: float = (walked.root - _turn() * p_own.root - _moved).length()
+	var blend_s: float = maxf(BLEND_S, 1.5 * apart / _RISE)
+	_share = move_toward(_share, 1.0 if asks else 0.0, p_passed_s / blend_s)
+	_goes = _share > 0.0 or ground.mover.get_velocity().length() > _STANDS
 	if _share == 1.0:
 		# The own legs will stand where the walker does.
 		var hips: Vector3 = walked.root - _turn() * p_own.root

@@ -119,6 +119,20 @@ func test_a_runner_slows_down_by_steps() -> void:
 	is_true(_max_step < 4.5 * STEP_S, "%.3f m" % _max_step)
 
 
+func test_who_lies_does_not_jump_up() -> void:
+	var still: Still = Still.new()
+	for limb: int in Limbs.COUNT:
+		still.pose.set_orientation(limb, Quaternion(Vector3.RIGHT, PI / 2.0))
+	still.pose.root.y = 0.15
+	_carry(still, Still.new())
+	_run(0.1)
+	_stick.x = 0.5
+	_run(1.0)
+	equal(_legs.share(), 1.0)
+	almost_equal(_before.root.y, 0.95, 0.05)
+	is_true(_max_step < 2.5 * STEP_S, "%.3f m" % _max_step)
+
+
 func test_a_turn_turns_the_wearer_and_where_ahead_is() -> void:
 	_carry(Still.new(), Still.new())
 	_run(0.1)
