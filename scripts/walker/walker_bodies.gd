@@ -45,6 +45,12 @@ func add_body(p_entity: int, p_body: PhysicsBody3D) -> void:
 		_tell(mover, p_entity)
 
 
+## Where the body of an entity is in the world; nowhere else than at the origin if there is none.
+func transform_of(p_entity: int) -> Transform3D:
+	var body: PhysicsBody3D = _bodies.get(p_entity)
+	return body.global_transform if is_instance_valid(body) else Transform3D.IDENTITY
+
+
 func _tell_all(p_mover: WalkerMover) -> void:
 	for ladder: RID in _ladders:
 		p_mover.set_ladder(ladder, true)

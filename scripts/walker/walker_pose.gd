@@ -36,12 +36,15 @@ func restart(p_mover: WalkerMover) -> void:
 	_matcher.reset(p_mover.get_position(), p_mover.get_heading())
 
 
-## The pose after a tick, in the world: its root is where the hips are, m.
-func advance(p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float) -> PoseSample:
+## The pose after a tick, in the world: its root is where the hips are, m. A mover that was put
+## elsewhere, by an offset, does not make it step: it stays that far from the mover.
+func advance(
+	p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float, p_offset: Vector3 = Vector3.ZERO
+) -> PoseSample:
 	var velocity: Vector3 = p_mover.get_velocity()
 	_matcher.advance(
 		p_delta_s,
-		p_mover.get_position() + Vector3.DOWN * p_mover.get_lift(),
+		p_mover.get_position() - p_offset + Vector3.DOWN * p_mover.get_lift(),
 		velocity,
 		p_mover.get_heading(),
 		Vector3(p_input.wish.x, 0.0, p_input.wish.y),

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from .conftest import WINDOW_LIMIT_S, World
+from .conftest import CLIPS, WINDOW_LIMIT_S, World
 from .pictures import Window
 
 Report = dict[str, Any]
@@ -31,6 +31,23 @@ def test_who_names_no_source_walks_with_a_body(world: World) -> None:
     server.mark()
     assert trainee.end() == 0, trainee.log()
     server.await_line("'Ada' (", "left")
+    assert "ERROR" not in trainee.log()
+    assert "ERROR" not in server.log()
+
+
+def test_a_walker_s_legs_carry_a_worn_motion(world: World) -> None:
+    server = world.server()
+    fuse = (f"--bvh={CLIPS / 'Boxing_Toes.bvh'}", "--source=walker", "--fuse=legs:2")
+    trainee = world.client("trainee", "--name=Cay", *fuse, "--walk=1.2:0:40:60", "--fps=60")
+    begin = trainee.await_report(lambda seen: seen["legs"]["share"] == 1.0)["legs"]["position"]
+    # A circle of 1.7 m: as far from its beginning as it gets.
+    trainee.await_report(lambda seen: math.dist(seen["legs"]["position"], begin) > 2.5)
+    told = server.await_report(lambda told: told["people"][0]["count"] > 16 * 120)
+    # One person, whose body goes where its motion is; for the server nobody walks.
+    assert len(told["people"]) == 1
+    assert told["walkers"] == []
+    assert told["people"][0]["mean_deg"] < 8.0, told["people"]
+    assert told["people"][0]["distance_m"] < 0.6, told["people"]
     assert "ERROR" not in trainee.log()
     assert "ERROR" not in server.log()
 

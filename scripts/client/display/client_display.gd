@@ -195,7 +195,7 @@ func _place_station(p_wall: WallDisplay, p_place: WearerTransform, p_step_s: flo
 		_room.restart()
 		return
 	var room: Transform3D = (
-		_room.advance(p_place.frame, p_step_s, p_place.carrier, p_place.carrier_frame)
+		_room.advance(p_place.room(), p_step_s, p_place.carrier, p_place.carrier_frame)
 		* ClientHeadset.AHEAD
 	)
 	if _station == null:

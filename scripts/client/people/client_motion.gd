@@ -53,9 +53,12 @@ func suit() -> SuitSource:
 	return innermost(source) as SuitSource
 
 
-## What moves the trunk behind a motion that is fitted to a headset, or put together of several.
+## What moves the trunk behind a motion that is carried by a walker's legs, fitted to a headset, or
+## put together of several.
 static func innermost(p_source: MotionSource) -> MotionSource:
 	var inner: MotionSource = p_source
+	if inner is WalkedLegs:
+		inner = (inner as WalkedLegs).first
 	if inner is FusedSource:
 		inner = (inner as FusedSource).source
 	if inner is LimbFusion:
@@ -67,8 +70,11 @@ static func innermost(p_source: MotionSource) -> MotionSource:
 func embody(p_actor: int, p_joints: PersonSkeleton, p_hips: float, p_rate: float) -> void:
 	actor = p_actor
 	_body.setup(p_joints, p_hips / source.get_hip_height(), p_rate)
+	var legs: WalkedLegs = source as WalkedLegs
+	if legs != null:
+		legs.embody(p_hips, p_joints)
 	# A motion that is fitted to a headset is fitted to the body that is shown.
-	var worn: XrSource = source as XrSource
+	var worn: XrSource = (legs.first if legs != null else source) as XrSource
 	var fault: String = worn.show_on(p_joints, p_hips) if worn != null else ""
 	if fault != "":
 		Log.warning("client", "hands may miss what they hold: " + fault)

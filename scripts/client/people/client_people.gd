@@ -192,6 +192,9 @@ func find_wearer(
 				place.carrier_frame = p_replica.body_transform(place.carrier)
 			var heading: float = p_replica.ground_heading(first_actor)
 			place.frame = motion.frame_in_world(floats, heading)
+			var legs: WalkedLegs = motion.source as WalkedLegs
+			if legs != null:
+				place.travel = legs.travel()
 			return place
 	return null
 

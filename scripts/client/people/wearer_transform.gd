@@ -6,6 +6,13 @@ extends RefCounted
 var actor: int = -1
 ## Transform of the wearer's own frame, in which samples are, in the world.
 var frame: Transform3D = Transform3D.IDENTITY
+## From the room that the wearer is in to that frame: where a stick has carried the wearer.
+var travel: Transform3D = Transform3D.IDENTITY
 ## What carries the person: its number, or -1, and its transform.
 var carrier: int = -1
 var carrier_frame: Transform3D = Transform3D.IDENTITY
+
+
+## The room that the wearer is in, in the world.
+func room() -> Transform3D:
+	return frame * travel

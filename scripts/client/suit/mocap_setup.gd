@@ -24,7 +24,8 @@ var people: ClientPeople = null
 var _listed_s: float = 0.0
 # The time of the last frame, s.
 var _now_s: float = 0.0
-# The motion that is sent of a source where it is not the source's own: it is fitted to a headset.
+# The motion that is sent of a source where it is not the source's own: it is fitted to a headset,
+# or carried by a walker's legs.
 var _fitted: Dictionary[MotionSource, MotionSource] = {}
 # Made when it is opened for the first time: most clients never open it.
 var _panel: DevicePanel = null
@@ -260,10 +261,16 @@ func _on_appeared(p_source: MotionSource, p_name: String) -> void:
 	var headset: ClientHeadset = context.headset
 	if headset != null and headset.fused == null and headset.body == null:
 		_fitted[p_source] = headset.fit(p_source)
+	if inputs.people.carries(p_source):
+		_fitted[p_source] = WalkedLegs.new(_fitted.get(p_source, p_source))
 	people.add(_fitted.get(p_source, p_source), p_name)
 
 
 func _on_vanished(p_source: MotionSource) -> void:
 	people.remove(_fitted.get(p_source, p_source))
-	if _fitted.erase(p_source) and context.headset != null:
+	var fitted: MotionSource = _fitted.get(p_source)
+	if fitted is WalkedLegs:
+		fitted = (fitted as WalkedLegs).first
+	_fitted.erase(p_source)
+	if fitted is FusedSource and context.headset != null:
 		context.headset.fused = null

@@ -274,6 +274,8 @@ func _open_recorder() -> String:
 
 func _open_addresses() -> String:
 	people.count = _addresses.size()
+	var walks: Callable = func(one: SourceAddress) -> bool: return one.kind == "walker"
+	people.walker = _addresses.find_custom(walks) + 1
 	var fault: String = people.read(_options.text("fuse"))
 	for number: int in _addresses.size():
 		if fault == "":
@@ -310,6 +312,7 @@ func _open_own(p_kind: String, p_number: int) -> String:
 		if walker != null:
 			return "--source=walker is named twice: a client walks for one person"
 		walker = WalkerSource.new()
+		people.walker = p_number
 	elif awaits_headset:
 		return ""
 	elif not make_default.is_valid():

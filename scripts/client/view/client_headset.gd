@@ -201,7 +201,7 @@ func follow_body(p_place: WearerTransform) -> void:
 	if p_place.actor != _actor:
 		_actor = p_place.actor
 		_room.restart()
-	_wanted = p_place.frame
+	_wanted = p_place.room()
 	_carrier = p_place.carrier
 	_carrier_frame = p_place.carrier_frame
 

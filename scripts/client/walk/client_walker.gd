@@ -1,7 +1,8 @@
 class_name ClientWalker
 extends ClientPart
 ## Lets this client's user walk by keys, mouse or gamepad where [code]--source=walker[/code] says
-## so: sends what is wished, takes the server's corrections, and looks where the eyes do.
+## so: sends what is wished, takes the server's corrections, and looks where the eyes do. Legs that
+## carry another source's motion ([WalkedLegs]) get their wishes, and where the body is.
 
 ## Margin with which inputs arrive before their tick, ticks: the variation of the network.
 const MARGIN_TICKS: float = 2.5
@@ -9,11 +10,12 @@ const MARGIN_TICKS: float = 2.5
 var _controls: WalkerControls = WalkerControls.new()
 var _bodies: WalkerBodies = WalkerBodies.new()
 var _source: WalkerSource = null
+var _legs: WalkedLegs = null
 var _actor: int = -1
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
-	if _source == null or context.is_menu_open() or _controls.list != null:
+	if not _walks() or context.is_menu_open() or _controls.list != null:
 		return
 	var click: InputEventMouseButton = p_event as InputEventMouseButton
 	if click != null and click.pressed and click.button_index == MOUSE_BUTTON_LEFT:
@@ -37,9 +39,8 @@ func open(p_context: ClientContext) -> String:
 
 
 func begin_frame() -> void:
-	if _source == null:
-		_source = _find_source()
-	if _source == null:
+	_meet_source()
+	if not _walks():
 		return
 	var is_seated: bool = SeatControls.find_seat(get_tree()) != null
 	_controls.hands_off = context.is_menu_open() or is_seated
@@ -47,7 +48,12 @@ func begin_frame() -> void:
 	context.scene.view.camera.takes_keys = _controls.hands_off
 	if _controls.hands_off and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
 		Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
-	_meet_actor()
+	if _source != null:
+		_meet_actor()
+	else:
+		_legs.raises_seated = not is_seated
+		_place_legs()
+		_legs.listen(get_process_delta_time())
 
 
 ## The eyes of who walks look where the mouse points, without waiting for the body.
@@ -59,6 +65,10 @@ func advance(_delta_s: float) -> void:
 
 
 func report() -> Dictionary:
+	if _legs != null:
+		var feet: Vector3 = _legs.ground.mover.get_position()
+		var facts: Dictionary = {"share": _legs.share(), "position": [feet.x, feet.y, feet.z]}
+		return {"legs": facts}
 	if _source == null:
 		return {}
 	var prediction: WalkerPrediction = _source.prediction
@@ -75,24 +85,58 @@ func report() -> Dictionary:
 
 
 func close() -> void:
-	if _source != null:
+	_leave_source()
+
+
+func _walks() -> bool:
+	return _source != null or _legs != null
+
+
+## Gives who walks, who may be somebody else by a choice at the panel, what walking needs.
+func _meet_source() -> void:
+	var found: MotionSource = context.people.source_of(0) if context.people != null else null
+	if _walks() and found != _source and found != _legs:
+		_leave_source()
+		context.scene.view.look(NAN, 0.0)
+		context.scene.view.camera.takes_keys = true
+	if _walks() or not (found is WalkerSource or found is WalkedLegs):
+		return
+	_source = found as WalkerSource
+	_legs = found as WalkedLegs
+	_actor = -1
+	var world: World3D = context.scene.get_world_3d()
+	if _legs != null:
+		_legs.ground.enter(world, _bodies)
+		_legs.read_input = _controls.read
+	else:
+		_bodies.add_mover(_source.prediction.mover, world)
+		_source.read_input = _controls.read
+		_source.due_tick = _due_tick
+		_source.send = _send
+	ClientPhysics.hold()
+
+
+func _leave_source() -> void:
+	if not _walks():
+		return
+	if _legs != null:
+		_legs.ground.leave()
+	else:
 		_bodies.remove_mover(_source.prediction.mover)
-		ClientPhysics.release()
-		Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
-		_source = null
+	ClientPhysics.release()
+	Input.mouse_mode = Input.MOUSE_MODE_VISIBLE
+	_source = null
+	_legs = null
 
 
-func _find_source() -> WalkerSource:
-	if context.people == null or context.people.count() == 0:
-		return null
-	var found: WalkerSource = context.people.source_of(0) as WalkerSource
-	if found != null:
-		_bodies.add_mover(found.prediction.mover, context.scene.get_world_3d())
-		found.read_input = _controls.read
-		found.due_tick = _due_tick
-		found.send = _send
-		ClientPhysics.hold()
-	return found
+## Says where the body is whose motion the legs carry.
+func _place_legs() -> void:
+	var place: WearerTransform = context.people.find_wearer(
+		context.scene.replica, context.own_bodies
+	)
+	_legs.has_frame = place != null
+	if place != null:
+		_legs.frame = place.frame
 
 
 ## Finds the person's own entity, whose command an input is.
@@ -118,6 +162,8 @@ func _restart() -> void:
 	_actor = -1
 	if _source != null:
 		_source.restart()
+	if _legs != null:
+		_legs.restart()
 
 
 ## The server's tick that a command reaches which leaves now, with its fraction.

@@ -29,6 +29,27 @@ func test_who_has_nothing_to_move_by_walks() -> void:
 	is_true(_desk.people.source_of(0) is WalkerSource)
 
 
+func test_a_walker_s_legs_carry_the_first_source() -> void:
+	var clip: String = "--bvh=res://assets/motion/01_01.bvh"
+	equal(_open([clip, "--source=walker", "--fuse=legs:2"]), "")
+	equal(_desk.people.count(), 1)
+	var legs: WalkedLegs = _desk.people.source_of(0) as WalkedLegs
+	not_null(legs)
+	is_true(ClientMotion.innermost(legs) is BvhSource)
+	is_true(legs.is_sent())
+	equal(_desk.inputs.people.choose(LimbFusion.Group.LEGS, 1), "")
+	equal(_desk.people.count(), 2)
+	is_true(_desk.people.source_of(0) is BvhSource)
+	equal(_desk.inputs.people.choose(LimbFusion.Group.LEGS, 2), "")
+	equal(_desk.people.count(), 1)
+	is_true(_desk.people.source_of(0) is WalkedLegs)
+
+
+func test_a_walker_gives_no_arms() -> void:
+	var clip: String = "--bvh=res://assets/motion/01_01.bvh"
+	contains(_open([clip, "--source=walker", "--fuse=arms:2"]), "legs, feet and root")
+
+
 func test_the_panel_s_key() -> void:
 	equal(_open(["--bvh=res://assets/motion/01_01.bvh"]), "")
 	is_false(_desk.is_panel_open())
