@@ -83,7 +83,7 @@ func test_everybody_gets_world_and_snapshots() -> void:
 func test_wrong_version_is_told_so() -> void:
 	var end: LinkPair.End = _pair.add(TRAINEE, "Ada", 99)
 	is_true(_pair.until(func() -> bool: return end.refusal != ""))
-	contains(end.refusal, "protocol version 99, the server 7")
+	contains(end.refusal, "protocol version 99, the server %d" % Protocol.VERSION)
 	_pair.run(0.1)
 	equal([end.joined, end.loss, _pair.joined.size()], [0, "", 0])
 

@@ -10,6 +10,7 @@ from toolchain.paths import CLIPS
 
 from .conftest import World, shared
 from .own_client import Crowd, OwnClient
+from .own_seal import VERSION
 
 
 class Session:
@@ -95,7 +96,7 @@ def _rows(file: Path) -> list[dict[str, str]]:
 def test_a_wrong_version_is_refused(session: Session) -> None:
     client = session.world.client("observer", "--protocol=999")
     assert client.await_exit() == 3
-    assert "protocol version 999, the server 7" in client.log()
+    assert f"protocol version 999, the server {VERSION}" in client.log()
     session.server.await_text("protocol version 999")
     assert session.server.log().count("protocol version 999") == 1
 

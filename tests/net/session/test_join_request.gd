@@ -42,14 +42,15 @@ func test_other_versions_are_named() -> void:
 	for version: int in [0, 1, 65537, 0xFFFFFFFF]:
 		var sent: JoinRequest = JoinRequest.new()
 		sent.version = version
-		var text: String = "the client speaks protocol version %d, the server 7" % version
+		var versions: Array = [version, Protocol.VERSION]
+		var text: String = "the client speaks protocol version %d, the server %d" % versions
 		equal(JoinRequest.decode(sent.encode(_challenge, _key)).error, text)
 
 
 func test_other_versions_of_another_form_are_named() -> void:
 	var bytes: PackedByteArray = "DSMT".to_ascii_buffer() + PackedByteArray([1, 0, 0, 0, 1, 2, 3])
-	contains(JoinRequest.decode(bytes).error, "version 1, the server 7")
-	contains(Challenge.decode(bytes).error, "version 1, this client 7")
+	contains(JoinRequest.decode(bytes).error, "version 1, the server %d" % Protocol.VERSION)
+	contains(Challenge.decode(bytes).error, "version 1, this client %d" % Protocol.VERSION)
 
 
 func test_unknown_role() -> void:
