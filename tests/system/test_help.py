@@ -8,7 +8,7 @@ import subprocess
 
 import pytest
 from toolchain import cli, demo, help_texts, nearest, options
-from toolchain.paths import ROOT
+from toolchain.paths import CLIPS, ROOT
 
 # Debian calls these essential: they are on every machine.
 TOOLS = ("bash", "env", "cat", "head", "dirname", "readlink")
@@ -106,7 +106,7 @@ def test_what_a_choice_can_be() -> None:
         assert known in server
     assert "adaptive_low_delay" in help_texts.read("observer")
     assert all(
-        motion.name in help_texts.MAIN_FILE.read_text() for motion in cli.CLIPS.glob("*.bvh")
+        motion.name in help_texts.MAIN_FILE.read_text() for motion in CLIPS.glob("*.bvh")
     )
 
 
