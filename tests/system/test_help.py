@@ -105,9 +105,7 @@ def test_what_a_choice_can_be() -> None:
     for known in ("soft", "inertial", *(name for name in levels if name == "hall")):
         assert known in server
     assert "adaptive_low_delay" in help_texts.read("observer")
-    assert all(
-        motion.name in help_texts.MAIN_FILE.read_text() for motion in CLIPS.glob("*.bvh")
-    )
+    assert all(motion.name in help_texts.MAIN_FILE.read_text() for motion in CLIPS.glob("*.bvh"))
 
 
 @pytest.mark.parametrize(
