@@ -38,6 +38,8 @@ var try_out: TryOut = null
 var headset: ClientHeadset = null
 ## Entries of the window's menu that parts add.
 var menu: WindowMenu = null
+## Whether the user sits in a vehicle, whose keys those are then.
+var is_seated: bool = false
 ## Which dialogs and menus take the keys while they are open: [code]func() -> bool[/code] each.
 var menus: Array[Callable] = []
 ## Sees a message about the world before it is taken in, and says whether it keeps that message for

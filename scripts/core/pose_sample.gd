@@ -50,6 +50,12 @@ func set_orientation(p_limb: int, p_rotation: Quaternion) -> void:
 	orientations[at + 3] = p_rotation.w
 
 
+## Turns all limbs in the world; the root stays.
+func turn_limbs(p_turn: Quaternion) -> void:
+	for limb: int in Limbs.COUNT:
+		set_orientation(limb, p_turn * orientation(limb))
+
+
 ## Why this cannot be a pose, or an empty text if it can.
 func find_fault() -> String:
 	if orientations.size() != Limbs.COUNT * 4:

@@ -12,8 +12,6 @@ const SLACK_M: float = 0.3
 const JUMP_M: float = 2.0
 ## A body that is lower than its motion by more than this lies, m.
 const DOWN_M: float = 0.4
-## How far below the hips ground is looked for, m.
-const _REACH_M: float = 2.0
 
 ## What is moved.
 var mover: WalkerMover = WalkerMover.new()
@@ -62,11 +60,7 @@ func begin(p_frame: Transform3D, p_hips: Vector3, p_floor: float, p_heading: flo
 	_carrier = 0
 	var hips: Vector3 = to_world(p_hips)
 	var ground: Vector3 = to_world(Vector3(p_hips.x, p_floor, p_hips.z))
-	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-		hips, hips + Vector3.DOWN * _REACH_M, PhysicsLayers.STATIC | PhysicsLayers.PROPS
-	)
-	var hit: Dictionary = _world.direct_space_state.intersect_ray(ray)
-	var feet: Vector3 = hit["position"] if not hit.is_empty() else ground
+	var feet: Vector3 = WalkerBodies.find_ground(_world, hips, ground)
 	is_down = ground.y < feet.y - DOWN_M
 	mover.place(feet, p_heading)
 	return not is_down

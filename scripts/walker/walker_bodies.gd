@@ -7,6 +7,11 @@ extends RefCounted
 ## follows, pushes and is held back, kg.
 const LIGHT_KG: float = 60.0
 
+## What stops a walker, and what it stands on: layers.
+const MASK: int = PhysicsLayers.STATIC | PhysicsLayers.PROPS
+## How far below hips ground is looked for, m.
+const _REACH_M: float = 2.0
+
 var _bodies: Dictionary[int, PhysicsBody3D] = {}
 var _ladders: Array[RID] = []
 var _movers: Array[WalkerMover] = []
@@ -14,7 +19,7 @@ var _movers: Array[WalkerMover] = []
 
 ## Puts a mover into a world, and tells it of the bodies that there are and will be.
 func add_mover(p_mover: WalkerMover, p_world: World3D) -> void:
-	p_mover.enter(p_world.space, p_world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+	p_mover.enter(p_world.space, p_world, MASK)
 	_movers.append(p_mover)
 	_tell_all(p_mover)
 
@@ -38,6 +43,12 @@ func set_level(p_level: Level) -> void:
 		_tell_all(mover)
 
 
+## An entity of the level has come: takes its body, if it has one that is no person's.
+func add_entity(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
+	if p_body != null and not p_row.is_person():
+		add_body(p_row.id, p_body)
+
+
 ## The body of an entity, by its number.
 func add_body(p_entity: int, p_body: PhysicsBody3D) -> void:
 	_bodies[p_entity] = p_body
@@ -47,8 +58,18 @@ func add_body(p_entity: int, p_body: PhysicsBody3D) -> void:
 
 ## Where the body of an entity is in the world; nowhere else than at the origin if there is none.
 func transform_of(p_entity: int) -> Transform3D:
-	var body: PhysicsBody3D = _bodies.get(p_entity)
-	return body.global_transform if is_instance_valid(body) else Transform3D.IDENTITY
+	if not is_instance_valid(_bodies.get(p_entity)):
+		return Transform3D.IDENTITY
+	return _bodies[p_entity].global_transform
+
+
+## The ground below hips, m; where there is none, another place.
+static func find_ground(p_world: World3D, p_hips: Vector3, p_otherwise: Vector3) -> Vector3:
+	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
+		p_hips, p_hips + Vector3.DOWN * _REACH_M, MASK
+	)
+	var hit: Dictionary = p_world.direct_space_state.intersect_ray(ray)
+	return hit["position"] if not hit.is_empty() else p_otherwise
 
 
 func _tell_all(p_mover: WalkerMover) -> void:
@@ -59,9 +80,10 @@ func _tell_all(p_mover: WalkerMover) -> void:
 
 
 func _tell(p_mover: WalkerMover, p_entity: int) -> void:
-	var body: PhysicsBody3D = _bodies[p_entity]
-	if not is_instance_valid(body):
+	# One that a script has freed must not even be named.
+	if not is_instance_valid(_bodies[p_entity]):
 		return
+	var body: PhysicsBody3D = _bodies[p_entity]
 	var loose: RigidBody3D = body as RigidBody3D
 	if loose != null and loose.mass < LIGHT_KG:
 		p_mover.set_passable(body.get_rid(), true)

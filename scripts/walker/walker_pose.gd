@@ -17,12 +17,18 @@ var _matcher: MotionMatcher = MotionMatcher.new()
 
 
 func _init() -> void:
-	if _set == null:
-		_set = MotionSet.new()
-		var fault: String = _set.load_file(DEFAULT_SET)
-		if fault != "":
-			Log.error("walker", fault)
+	prepare()
 	_matcher.set_motion_set(_set)
+
+
+## Reads the motion set, which takes most of a tick: call it before nobody may wait for that.
+static func prepare() -> void:
+	if _set != null:
+		return
+	_set = MotionSet.new()
+	var fault: String = _set.load_file(DEFAULT_SET)
+	if fault != "":
+		Log.error("walker", fault)
 
 
 ## Takes the body that it moves: height of the hips, m, and the joints.
@@ -41,11 +47,10 @@ func restart(p_mover: WalkerMover) -> void:
 func advance(
 	p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float, p_offset: Vector3 = Vector3.ZERO
 ) -> PoseSample:
-	var velocity: Vector3 = p_mover.get_velocity()
 	_matcher.advance(
 		p_delta_s,
 		p_mover.get_position() - p_offset + Vector3.DOWN * p_mover.get_lift(),
-		velocity,
+		p_mover.get_velocity(),
 		p_mover.get_heading(),
 		Vector3(p_input.wish.x, 0.0, p_input.wish.y),
 		p_input.heading,
@@ -57,17 +62,17 @@ func advance(
 	sample.root = _matcher.get_root()
 	var neck: float = angle_difference(p_mover.get_heading(), p_input.heading)
 	var face: float = p_mover.get_heading() + clampf(neck, -MAX_NECK, MAX_NECK)
-	if stance_of(p_mover) < 2:
+	if stance_of(p_mover) < MotionMatcher.PRONE:
 		var up: Quaternion = Quaternion(Vector3.RIGHT, -p_input.look * 0.7)
 		sample.set_orientation(Limbs.HEAD, Rotations.yaw(face) * up)
 	return sample
 
 
-## How the body is held: 0 stands, 1 crouches, 2 lies, 3 is on a ladder, 4 climbs over something.
+## How the body is held: one of [enum MotionMatcher.Stance], of which the first are a mover's.
 static func stance_of(p_mover: WalkerMover) -> int:
 	match p_mover.get_mode():
 		WalkerMover.LADDER:
-			return 3
+			return MotionMatcher.LADDER
 		WalkerMover.VAULT:
-			return 4
+			return MotionMatcher.VAULT
 	return p_mover.get_stance()

@@ -115,6 +115,5 @@ func _sample(p_input: WalkerInput) -> PoseSample:
 	var back: Quaternion = Rotations.yaw(-frame_heading)
 	sample.root = back * (sample.root + prediction.offset) / _scale
 	if absf(frame_heading) > 1e-4:
-		for limb: int in Limbs.COUNT:
-			sample.set_orientation(limb, back * sample.orientation(limb))
+		sample.turn_limbs(back)
 	return sample

@@ -62,7 +62,7 @@ Course find_course(const std::vector<RawFrame> &p_frames) {
 	std::vector<float> headings;
 	float before = 0.0f;
 	for (const RawFrame &frame : p_frames) {
-		before += wrapped(heading_of(frame.limbs[CHEST]) - before);
+		before += wrapped(facing_of(frame.limbs[CHEST]) - before);
 		headings.push_back(before);
 		hips.push_back({ frame.hips.x, 0.0f, frame.hips.z });
 	}

@@ -35,7 +35,7 @@ float apart(const Vec3 &p_a, const Vec3 &p_b) {
 void Footing::_lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) const {
 	r_foot.offset = r_foot.place - p_goal.ball;
 	r_foot.offset.y = 0.0f;
-	r_foot.turn = wrapped(r_foot.heading - heading_of(p_goal.foot));
+	r_foot.turn = wrapped(r_foot.heading - facing_of(p_goal.foot));
 	r_foot.is_planted = false;
 	r_foot.is_forced = p_is_forced;
 	r_foot.time = 0.0f;
@@ -49,7 +49,7 @@ bool Footing::_must_step(const Goals &p_goals, std::size_t p_side, float p_size)
 		return true;
 	}
 	const float far = apart(foot.place, goal.ball) / (p_size * (p_goals.is_walking ? WALKING_APART : STANDING_APART));
-	const float turned = std::fabs(wrapped(foot.heading - heading_of(goal.foot))) /
+	const float turned = std::fabs(wrapped(foot.heading - facing_of(goal.foot))) /
 			(p_goals.is_walking ? WALKING_TURN : STANDING_TURN);
 	const float worst = std::max(far, turned);
 	if (worst < 1.0f) {
@@ -87,7 +87,7 @@ void Footing::_swing(const Goals &p_goals, float p_delta, float p_size, std::siz
 	if (share >= 1.0f && lands && foot.height < LANDING_HEIGHT && p_goals.is_grounded) {
 		foot.is_planted = true;
 		foot.place = r_goal.ball;
-		foot.heading = heading_of(r_goal.foot);
+		foot.heading = facing_of(r_goal.foot);
 	}
 	r_goal.ball.y = goal.ground + foot.height;
 }
@@ -112,7 +112,7 @@ void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 			foot.is_planted = goal.stands && goals.is_grounded;
 			foot.place = goal.ball;
 			foot.last = goal.ball;
-			foot.heading = heading_of(goal.foot);
+			foot.heading = facing_of(goal.foot);
 			foot.length = LIFT_S;
 			foot.time = LIFT_S;
 			foot.height = std::max(goal.ball.y - goal.ground, 0.0f);
@@ -127,7 +127,7 @@ void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 		}
 		if (foot.is_planted) {
 			foot.height = std::max(foot.height - LANDING_SPEED * p_delta, 0.0f);
-			const float turn = wrapped(foot.heading - heading_of(goal.foot));
+			const float turn = wrapped(foot.heading - facing_of(goal.foot));
 			goal.foot = turn_of(turn) * goal.foot;
 			goal.ball = { foot.place.x, goal.ground + foot.height, foot.place.z };
 		}

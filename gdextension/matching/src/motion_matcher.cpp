@@ -165,7 +165,7 @@ Pose MotionMatcher::_changed(const Player::Sample &p_sample, const Warp &p_warp)
 		pose.ankles[side].y = _body.ankle_height + above * size * lift;
 		Quat &foot = pose.limbs[foot_of(side)];
 		const float flat = std::max(0.6f * across, 0.6f * (1.0f - std::min(p_warp.stride, 1.0f)));
-		foot = hips_turn * blend(foot, turn_of(heading_of(foot)), flat);
+		foot = hips_turn * blend(foot, turn_of(facing_of(foot)), flat);
 		for (const std::size_t limb : { thigh_of(side), thigh_of(side) + 1 }) {
 			pose.limbs[limb] = hips_turn * pose.limbs[limb];
 		}

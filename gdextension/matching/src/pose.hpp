@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <headings.hpp>
 #include <quaternion.hpp>
 
 #include <array>
@@ -14,9 +15,12 @@
 namespace matching {
 
 using kinematics::exp;
+using kinematics::facing_of;
 using kinematics::log;
 using kinematics::Quat;
+using kinematics::turn_of;
 using kinematics::Vec3;
+using kinematics::wrapped;
 
 constexpr float PI = 3.14159265359f;
 
@@ -69,22 +73,6 @@ struct Pose {
 inline Vec3 unit(const Vec3 &p_vector, const Vec3 &p_else = { 0.0f, -1.0f, 0.0f }) {
 	const float length = p_vector.length();
 	return length > 1e-5f ? p_vector * (1.0f / length) : p_else;
-}
-
-/// The turn about +Y, rad: 0 faces +Z.
-inline Quat turn_of(float p_heading) {
-	return { 0.0f, std::sin(0.5f * p_heading), 0.0f, std::cos(0.5f * p_heading) };
-}
-
-/// An angle between -pi and pi.
-inline float wrapped(float p_angle) {
-	return std::remainder(p_angle, 2.0f * PI);
-}
-
-/// The heading of somebody with this rotation, rad.
-inline float heading_of(const Quat &p_rotation) {
-	const Vec3 front = p_rotation.rotate({ 0.0f, 0.0f, 1.0f });
-	return std::atan2(front.x, front.z);
 }
 
 /// A part of the way from one rotation to another, cheaply: for those that are close.

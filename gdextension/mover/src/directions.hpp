@@ -3,23 +3,24 @@
 
 #include "mover_state.hpp"
 
+#include <headings.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 /// Directions, angles and contacts as a mover reckons with them.
 namespace mover {
 
+using kinematics::facing_of;
+using kinematics::level;
+using kinematics::wrapped;
+
 constexpr float FLOOR = 0.69f; // Normals that point up by this are ground: 46 degrees.
 constexpr float LEAST = 1e-5f; // m
-constexpr float FULL_TURN = 6.28318530718f;
 constexpr float GRID = 4096.0f; // Steps in a metre, and in a metre a second.
 
 constexpr Vec3 DOWN{ 0.0f, -1.0f, 0.0f };
 constexpr Vec3 UP{ 0.0f, 1.0f, 0.0f };
-
-inline Vec3 level(const Vec3 &p_vector) {
-	return { p_vector.x, 0.0f, p_vector.z };
-}
 
 inline Vec3 normalized(const Vec3 &p_vector) {
 	const float length = p_vector.length();
@@ -37,11 +38,6 @@ inline Vec3 uphill(const Vec3 &p_motion, const Vec3 &p_normal) {
 	return along.limited(p_motion.length());
 }
 
-/// An angle from -pi to pi.
-inline float wrapped(float p_angle) {
-	return p_angle - FULL_TURN * std::round(p_angle / FULL_TURN);
-}
-
 /// Towards a value by at most a step.
 inline Vec3 approached(const Vec3 &p_from, const Vec3 &p_to, float p_step) {
 	return p_from + (p_to - p_from).limited(p_step);
@@ -54,11 +50,6 @@ inline Vec3 facing(float p_heading) {
 inline Vec3 rounded(const Vec3 &p_vector) {
 	const auto number = [](float p_number) { return std::round(p_number * GRID) / GRID; };
 	return { number(p_vector.x), number(p_vector.y), number(p_vector.z) };
-}
-
-inline float yaw_of(const Quat &p_turn) {
-	const Vec3 ahead = p_turn.rotate({ 0.0f, 0.0f, 1.0f });
-	return std::atan2(ahead.x, ahead.z);
 }
 
 inline State at_step(const State &p_state, const Vec3 &p_position) {

@@ -74,7 +74,7 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 	Frame frame;
 	if (r_state.carrier != 0 && _surroundings.find_frame(r_state.carrier, frame)) {
 		r_state.local = frame.turn.inverse().rotate(r_state.position - frame.origin);
-		r_state.local_heading = wrapped(r_state.heading - yaw_of(frame.turn));
+		r_state.local_heading = wrapped(r_state.heading - facing_of(frame.turn));
 	}
 }
 
@@ -91,7 +91,7 @@ void Mover::_ride(State &r_state, float p_delta) const {
 	const Vec3 carried = frame.origin + frame.turn.rotate(r_state.local);
 	const Vec3 moved = carried - r_state.position;
 	r_state.position = carried;
-	r_state.heading = wrapped(r_state.local_heading + yaw_of(frame.turn));
+	r_state.heading = wrapped(r_state.local_heading + facing_of(frame.turn));
 	r_state.from = r_state.from + moved;
 	r_state.to = r_state.to + moved;
 	if (r_state.is_grounded == 0 && r_state.mode == Mode::WALK) {

@@ -74,6 +74,7 @@ func report() -> Dictionary:
 
 ## Hands feel the guns of the vehicle: no position shows such a jolt.
 func _on_seat_changed(p_seat: Seat) -> void:
+	context.is_seated = p_seat != null
 	if p_seat == null:
 		return
 	for node: Node in _controls.vehicle.find_children("*", "Node3D", true, false):

@@ -144,9 +144,7 @@ func _end() -> void:
 
 ## The server's tick that a command reaches which leaves now, with its fraction.
 func _wanted_tick() -> float:
-	var rate: float = _replica.tick_rate()
-	var trip_s: float = float(_round_trip.call()) / 1e6
-	return (_replica.smoother.server_time(_now_s.call()) + trip_s) * rate + MARGIN_TICKS
+	return CommandTick.reached(_replica, _now_s.call(), _round_trip.call()) + MARGIN_TICKS
 
 
 func _on_seat_changed(_seat: Seat) -> void:

@@ -34,7 +34,7 @@ func open(p_context: ClientContext) -> String:
 	context.link.joined.connect(_restart)
 	var level: ClientLevel = context.scene.get_level()
 	level.changed.connect(func(fresh: Level, _differs: bool) -> void: _bodies.set_level(fresh))
-	level.entity_added.connect(_on_entity_added)
+	level.entity_added.connect(_bodies.add_entity)
 	return ""
 
 
@@ -42,8 +42,7 @@ func begin_frame() -> void:
 	_meet_source()
 	if not _walks():
 		return
-	var is_seated: bool = SeatControls.find_seat(get_tree()) != null
-	_controls.hands_off = context.is_menu_open() or is_seated
+	_controls.hands_off = context.is_menu_open() or context.is_seated
 	# The arrow keys turn who walks.
 	context.scene.view.camera.takes_keys = _controls.hands_off
 	if _controls.hands_off and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
@@ -51,7 +50,7 @@ func begin_frame() -> void:
 	if _source != null:
 		_meet_actor()
 	else:
-		_legs.raises_seated = not is_seated
+		_legs.raises_seated = not context.is_seated
 		_place_legs()
 		_legs.listen(get_process_delta_time())
 
@@ -172,11 +171,8 @@ func _due_tick() -> float:
 	if replica.tick_rate() <= 0.0 or replica.newest_tick < 0:
 		return -1.0
 	_source.tick_s = 1.0 / replica.tick_rate()
-	var trip_s: float = context.link.clock.round_trip_usec / 1e6
-	return (
-		(replica.smoother.server_time(context.now_s()) + trip_s) * replica.tick_rate()
-		+ MARGIN_TICKS
-	)
+	var trip_usec: int = context.link.clock.round_trip_usec
+	return CommandTick.reached(replica, context.now_s(), trip_usec) + MARGIN_TICKS
 
 
 func _send(p_input: WalkerInput, p_tick: int) -> void:
@@ -199,8 +195,3 @@ func _on_walk(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
 		if _controls.list != null:
 			_controls.list.begin(_controls.heading)
 	return true
-
-
-func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
-	if p_body != null and not p_row.is_person():
-		_bodies.add_body(p_row.id, p_body)

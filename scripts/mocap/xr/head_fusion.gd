@@ -211,8 +211,7 @@ func _turn_body(p_sample: PoseSample) -> void:
 		p_sample.details = _turned_details(p_sample.details, turn)
 	if angle == 0.0:
 		return
-	for limb: int in Limbs.COUNT:
-		p_sample.set_orientation(limb, turn * p_sample.orientation(limb))
+	p_sample.turn_limbs(turn)
 
 
 ## Details of a turned body, without positions, which change. They are new: a source may still use

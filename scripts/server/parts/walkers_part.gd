@@ -12,7 +12,12 @@ func open(p_context: ServerContext) -> String:
 	context.people.person_added.connect(_on_person_added)
 	context.level.table.despawned.connect(func(row: EntityRow) -> void: _forget(row.id))
 	context.level.changed.connect(func() -> void: _bodies.set_level(context.level.level))
-	context.level.entity_added.connect(_on_entity_added)
+	context.level.entity_added.connect(_bodies.add_entity)
+	return ""
+
+
+func begin() -> String:
+	WalkerPose.prepare()
 	return ""
 
 
@@ -66,11 +71,6 @@ func _on_commanded(
 		_bodies.add_mover(walker.mover, context.people.get_world_3d())
 		_walkers[p_person.id] = walker
 	_walkers[p_person.id].take(p_values)
-
-
-func _on_entity_added(p_row: EntityRow, _node: Entity, p_body: PhysicsBody3D) -> void:
-	if p_body != null and not p_row.is_person():
-		_bodies.add_body(p_row.id, p_body)
 
 
 static func _numbers(p_place: Vector3) -> Array[float]:

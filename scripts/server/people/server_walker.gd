@@ -104,11 +104,8 @@ func _follow_body() -> void:
 ## What is below the hips, m.
 func _feet() -> Vector3:
 	var hips: Vector3 = person.hips()
-	var ray: PhysicsRayQueryParameters3D = PhysicsRayQueryParameters3D.create(
-		hips, hips + Vector3.DOWN * 2.0, PhysicsLayers.STATIC | PhysicsLayers.PROPS
-	)
-	var hit: Dictionary = person.ragdoll.get_world_3d().direct_space_state.intersect_ray(ray)
-	return hit["position"] if not hit.is_empty() else hips + Vector3.DOWN * _pose.hip_height
+	var otherwise: Vector3 = hips + Vector3.DOWN * _pose.hip_height
+	return WalkerBodies.find_ground(person.ragdoll.get_world_3d(), hips, otherwise)
 
 
 ## Lets the motion come along at a person's speed where the walker is put elsewhere, as to where a
@@ -135,7 +132,5 @@ func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
 		frame = Transform3D(Rotations.yaw(mover.get_heading()), mover.get_position())
 	sample.root = (frame.affine_inverse() * sample.root - person.origin) / person.scale
 	if not frame.basis.is_equal_approx(Basis.IDENTITY):
-		var back: Quaternion = frame.basis.get_rotation_quaternion().inverse()
-		for limb: int in Limbs.COUNT:
-			sample.set_orientation(limb, back * sample.orientation(limb))
+		sample.turn_limbs(frame.basis.get_rotation_quaternion().inverse())
 	person.push_sample(sample, p_now_s, p_delta_s)

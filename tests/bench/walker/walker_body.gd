@@ -36,7 +36,7 @@ func _init(p_view: SubViewport, p_at: Vector3) -> void:
 	person.stand_at(Transform3D(Basis.IDENTITY, p_at))
 	walker = ServerWalker.new(person)
 	var world: World3D = p_view.find_world_3d()
-	walker.mover.enter(world.space, world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+	walker.mover.enter(world.space, world, WalkerBodies.MASK)
 
 
 ## A tick, before the physics step, by what the user wishes.

@@ -63,7 +63,7 @@ func set_tick(p_tick: int) -> void:
 func mover() -> WalkerMover:
 	var made: WalkerMover = WalkerMover.new()
 	var world: World3D = view.find_world_3d()
-	made.enter(world.space, world, PhysicsLayers.STATIC | PhysicsLayers.PROPS)
+	made.enter(world.space, world, WalkerBodies.MASK)
 	for number: int in _moving:
 		made.set_carrier(_moving[number].get_rid(), number)
 	return made
@@ -131,11 +131,7 @@ func _place(p_number: int, p_at: Transform3D) -> void:
 
 func _box(p_size: Vector3, p_at: Transform3D) -> StaticBody3D:
 	var body: StaticBody3D = StaticBody3D.new()
-	var shape: CollisionShape3D = CollisionShape3D.new()
-	var box: BoxShape3D = BoxShape3D.new()
-	box.size = p_size
-	shape.shape = box
-	body.add_child(shape)
+	body.add_child(BenchBodies.box(p_size))
 	body.transform = p_at
 	view.add_child(body)
 	return body

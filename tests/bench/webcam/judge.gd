@@ -8,17 +8,6 @@ extends SceneTree
 ## in which all of the person is in view; "solve_ms", the mean time of a solution; "place_m", the
 ## mean error of the way over the floor; "tilt_deg", how far the camera was taken to look down.
 
-## Directions of limbs in the reset pose.
-const ALONG: Dictionary[int, Vector3] = {
-	Limbs.LEFT_UPPER_ARM: Vector3.RIGHT,
-	Limbs.LEFT_LOWER_ARM: Vector3.RIGHT,
-	Limbs.RIGHT_UPPER_ARM: Vector3.LEFT,
-	Limbs.RIGHT_LOWER_ARM: Vector3.LEFT,
-	Limbs.LEFT_UPPER_LEG: Vector3.DOWN,
-	Limbs.LEFT_LOWER_LEG: Vector3.DOWN,
-	Limbs.RIGHT_UPPER_LEG: Vector3.DOWN,
-	Limbs.RIGHT_LOWER_LEG: Vector3.DOWN,
-}
 ## Limbs that are compared as rotations.
 const TRUNK: Array[int] = [Limbs.HIPS, Limbs.CHEST]
 
@@ -86,14 +75,16 @@ func _judge(p_landmarks: String, p_truth: Dictionary) -> Dictionary:
 func _compare(
 	p_pose: PoseSample, p_truth: Array, r_errors: Dictionary[int, PackedFloat32Array]
 ) -> void:
-	for limb: int in ALONG.keys() + TRUNK:
+	for limb: int in SyntheticCamera.ALONG.keys() + TRUNK:
 		var turn: Quaternion = Quaternion(
 			p_truth[4 * limb], p_truth[4 * limb + 1], p_truth[4 * limb + 2], p_truth[4 * limb + 3]
 		)
 		var found: Quaternion = p_pose.orientation(limb)
 		var error: float = Rotations.between_deg(found, turn)
-		if ALONG.has(limb):
-			error = rad_to_deg((found * ALONG[limb]).angle_to(turn * ALONG[limb]))
+		if SyntheticCamera.ALONG.has(limb):
+			error = rad_to_deg(
+				(found * SyntheticCamera.ALONG[limb]).angle_to(turn * SyntheticCamera.ALONG[limb])
+			)
 		if not r_errors.has(limb):
 			r_errors[limb] = PackedFloat32Array()
 		r_errors[limb].append(error)

@@ -3,6 +3,18 @@ extends RefCounted
 ## What a camera sees of somebody whose pose is known: landmarks as the model gives them, with noise
 ## and dropouts.
 
+## Directions of limbs in the reset pose.
+const ALONG: Dictionary[int, Vector3] = {
+	Limbs.LEFT_UPPER_ARM: Vector3.RIGHT,
+	Limbs.LEFT_LOWER_ARM: Vector3.RIGHT,
+	Limbs.RIGHT_UPPER_ARM: Vector3.LEFT,
+	Limbs.RIGHT_LOWER_ARM: Vector3.LEFT,
+	Limbs.LEFT_UPPER_LEG: Vector3.DOWN,
+	Limbs.LEFT_LOWER_LEG: Vector3.DOWN,
+	Limbs.RIGHT_UPPER_LEG: Vector3.DOWN,
+	Limbs.RIGHT_LOWER_LEG: Vector3.DOWN,
+}
+
 ## How far it looks down, rad, and how much it sees across, degrees.
 var tilt: float = 0.0
 var fov_deg: float = 65.0

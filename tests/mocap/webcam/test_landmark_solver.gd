@@ -4,17 +4,6 @@ extends TestCase
 
 const CLIP: String = "res://assets/motion/Boxing_Toes.bvh"
 const STEP_USEC: int = 33333
-## Directions of limbs in the reset pose.
-const ALONG: Dictionary[int, Vector3] = {
-	Limbs.LEFT_UPPER_ARM: Vector3.RIGHT,
-	Limbs.LEFT_LOWER_ARM: Vector3.RIGHT,
-	Limbs.RIGHT_UPPER_ARM: Vector3.LEFT,
-	Limbs.RIGHT_LOWER_ARM: Vector3.LEFT,
-	Limbs.LEFT_UPPER_LEG: Vector3.DOWN,
-	Limbs.LEFT_LOWER_LEG: Vector3.DOWN,
-	Limbs.RIGHT_UPPER_LEG: Vector3.DOWN,
-	Limbs.RIGHT_LOWER_LEG: Vector3.DOWN,
-}
 
 var _clip: BvhSource = BvhSource.new()
 
@@ -47,9 +36,13 @@ func test_limbs_point_where_they_do_with_and_without_noise() -> void:
 			var pose: PoseSample = _clip.pose_at(step * STEP_USEC / 1e6)
 			var found: PoseSample = solver.solve(camera.see(pose, step * STEP_USEC))
 			equal(found.find_fault(), "")
-			for limb: int in ALONG:
-				var wanted: Vector3 = pose.orientation(limb) * ALONG[limb]
-				errors.add(rad_to_deg((found.orientation(limb) * ALONG[limb]).angle_to(wanted)))
+			for limb: int in SyntheticCamera.ALONG:
+				var wanted: Vector3 = pose.orientation(limb) * SyntheticCamera.ALONG[limb]
+				errors.add(
+					rad_to_deg(
+						(found.orientation(limb) * SyntheticCamera.ALONG[limb]).angle_to(wanted)
+					)
+				)
 		var most: float = 5.0 if noise_m == 0.0 else 8.0
 		is_true(errors.mean() < most, "%.2f m of noise: %.1f deg" % [noise_m, errors.mean()])
 
@@ -80,9 +73,11 @@ func test_limbs_that_are_lost_are_never_thrown_about() -> void:
 		var frame: LandmarkFrame = camera.see(_standing(Vector3.ZERO), step * STEP_USEC)
 		var pose: PoseSample = solver.solve(frame)
 		if before != null:
-			for limb: int in ALONG:
-				var from: Vector3 = before.orientation(limb) * ALONG[limb]
-				jumps.add(rad_to_deg(from.angle_to(pose.orientation(limb) * ALONG[limb])))
+			for limb: int in SyntheticCamera.ALONG:
+				var from: Vector3 = before.orientation(limb) * SyntheticCamera.ALONG[limb]
+				jumps.add(
+					rad_to_deg(from.angle_to(pose.orientation(limb) * SyntheticCamera.ALONG[limb]))
+				)
 		before = pose
 	is_true(jumps.percentile(0.99) < 12.0, "%.1f deg in a picture" % jumps.percentile(0.99))
 	is_true(jumps.percentile(1.0) < 40.0, "%.1f deg in a picture" % jumps.percentile(1.0))

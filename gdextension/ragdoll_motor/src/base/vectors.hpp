@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <headings.hpp>
 #include <quaternion.hpp>
 
 namespace ragdoll {
@@ -8,6 +9,7 @@ namespace ragdoll {
 using kinematics::angle_between;
 using kinematics::exp;
 using kinematics::from_axes;
+using kinematics::level;
 using kinematics::log;
 using kinematics::Quat;
 using kinematics::slerp;
@@ -15,10 +17,5 @@ using kinematics::Vec3;
 
 constexpr float PI = 3.14159265f;
 constexpr float TAU = 6.28318531f;
-
-/// What of a vector lies in the level.
-inline Vec3 level(const Vec3 &p_vector) {
-	return { p_vector.x, 0.0f, p_vector.z };
-}
 
 } // namespace ragdoll

@@ -4,8 +4,8 @@ class_name Ladder
 extends KitBlock
 ## A fixed ladder of steel along a wall: it stands on its origin, its open side looks to +Z.
 ##
-## It is only seen and bumped into. Nobody climbs it: a wearer has no rungs to stand on. What people
-## shall get onto needs stairs or a ramp too.
+## Who walks without a suit climbs it. A wearer only bumps into it, with no rungs to stand on: what
+## everybody shall get onto needs stairs or a ramp too.
 
 const _RUNG_M: float = 0.28
 const _HALF: float = 0.23
