@@ -95,6 +95,18 @@ String MotionSet::add_clip(const String &p_name, int64_t p_stance, const PackedV
 	return "";
 }
 
+String MotionSet::add_clip_of(const Ref<MotionSet> &p_other, int64_t p_clip) {
+	const matching::Clip *clip = p_other.is_valid() ? p_other->_clip(p_clip) : nullptr;
+	if (clip == nullptr) {
+		return "there is no clip " + String::num_int64(p_clip) + " in that set";
+	}
+	// The other set can be this one, whose clips move when there are more.
+	const matching::Clip same = *clip;
+	_clips.push_back(same);
+	_core = nullptr;
+	return "";
+}
+
 const matching::Clip *MotionSet::_clip(int64_t p_clip) const {
 	return p_clip >= 0 && p_clip < int64_t(_clips.size()) ? &_clips[std::size_t(p_clip)] : nullptr;
 }
@@ -205,6 +217,7 @@ void MotionSet::_bind_methods() {
 			D_METHOD("begin_body", "hip_joints", "thigh", "shank", "ankle_height", "foot"), &MotionSet::begin_body);
 	ClassDB::bind_method(
 			D_METHOD("add_clip", "name", "stance", "hips", "orientations", "first", "end"), &MotionSet::add_clip);
+	ClassDB::bind_method(D_METHOD("add_clip_of", "other", "clip"), &MotionSet::add_clip_of);
 	ClassDB::bind_method(D_METHOD("get_clip_count"), &MotionSet::get_clip_count);
 	ClassDB::bind_method(D_METHOD("get_clip_name", "clip"), &MotionSet::get_clip_name);
 	ClassDB::bind_method(D_METHOD("get_clip_stance", "clip"), &MotionSet::get_clip_stance);

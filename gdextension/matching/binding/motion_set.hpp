@@ -29,6 +29,7 @@ public:
 			double p_foot);
 	String add_clip(const String &p_name, int64_t p_stance, const PackedVector3Array &p_hips,
 			const PackedFloat32Array &p_orientations, int64_t p_first, int64_t p_end);
+	String add_clip_of(const Ref<MotionSet> &p_other, int64_t p_clip);
 	int64_t get_clip_count() const;
 	String get_clip_name(int64_t p_clip) const;
 	int64_t get_clip_stance(int64_t p_clip) const;

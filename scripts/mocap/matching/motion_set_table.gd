@@ -7,7 +7,8 @@ extends RefCounted
 ## 02_01.bvh   stand   0.2     2.6   walk 1.2
 ## [/codeblock]
 ## Files are named from the folder of the table, or from the one that is given. Times are of the
-## clip as it is played, s; a to_s of 0 is its end.
+## clip as it is played, s; a to_s of 0 is its end. A file that ends in [code].motionset[/code] is
+## another set, of which the clip of that stance and name is taken as it is.
 
 ## Names of the stances.
 const STANCES: Dictionary[String, MotionMatcher.Stance] = {
@@ -17,6 +18,8 @@ const STANCES: Dictionary[String, MotionMatcher.Stance] = {
 	"ladder": MotionMatcher.LADDER,
 	"vault": MotionMatcher.VAULT,
 }
+## How the file of a set ends.
+const SET_EXTENSION: String = "motionset"
 ## Longest clip, s: what is longer is no clip.
 const MAX_S: float = 600.0
 

@@ -28,3 +28,32 @@ func test_files_and_times_that_are_not_there() -> void:
 		var builder: MotionSetBuilder = MotionSetBuilder.new()
 		builder.add_table(MotionSetTable.parse(fault[0], "set.txt"), FOLDER)
 		contains(builder.error, fault[1])
+
+
+func test_clips_of_another_set_are_taken_as_they_are() -> void:
+	var text: String = "walker.motionset stand 0 0 jog 02_03\n01_01.bvh stand 2 5 jumps\n"
+	var builder: MotionSetBuilder = MotionSetBuilder.new()
+	builder.add_table(MotionSetTable.parse(text, "set.txt"), FOLDER)
+	equal(builder.error, "")
+	var motion: MotionSet = MotionSet.new()
+	equal(motion.load_bytes(builder.motion_set.to_bytes()), "")
+	var whole: MotionSet = MotionSet.new()
+	equal(whole.load_file(FOLDER.path_join("walker.motionset")), "")
+	var jog: int = range(whole.get_clip_count()).find_custom(
+		func(clip: int) -> bool: return whole.get_clip_name(clip) == "jog 02_03"
+	)
+	equal(motion.get_clip_count(), 2)
+	equal(motion.get_clip_name(0), "jog 02_03")
+	equal(motion.get_clip_frame_count(0), whole.get_clip_frame_count(jog))
+	equal(motion.get_clip_speed(0), whole.get_clip_speed(jog))
+	contains(motion.add_clip_of(whole, -1), "no clip -1")
+
+
+func test_clips_that_a_set_has_not() -> void:
+	for fault: Array in [
+		["none.motionset stand 0 0 x", "none.motionset"],
+		["walker.motionset crouch 0 0 jog 02_03", "no clip 'jog 02_03' of that stance"],
+	]:
+		var builder: MotionSetBuilder = MotionSetBuilder.new()
+		builder.add_table(MotionSetTable.parse(fault[0], "set.txt"), FOLDER)
+		contains(builder.error, fault[1])
