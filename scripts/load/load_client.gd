@@ -26,6 +26,7 @@ var _link: ClientLink = ClientLink.new()
 var _request: JoinRequest = JoinRequest.new()
 var _motion: ClientMotion = null
 var _sender: MotionSender = null
+var _walker: LoadWalker = null
 var _agreement: LoadAgreement = null
 var _viewpoint: Vector3 = Vector3.ZERO
 var _newest: Dictionary[int, int] = {}
@@ -40,7 +41,7 @@ func _init(
 ) -> void:
 	name = p_name
 	replica = LoadReplica.new(p_tables)
-	var clients: int = p_options.number("trainees") + p_options.number("observers")
+	var clients: int = LoadOptions.count_clients(p_options)
 	_ages_every = AGES_EVERY * maxi(ceili(float(clients) / MANY_CLIENTS), 1)
 	_link.has_thread = clients <= MAX_THREADED
 	_options = p_options
@@ -63,6 +64,12 @@ func wear(p_source: MotionSource) -> void:
 	_sender = MotionSender.new()
 	_sender.start(_options.number("rate"), _link)
 	_motion.start(p_source, _sender, _link)
+
+
+## Makes it a trainee without a suit, who walks; each number walks elsewhere.
+func walk(p_number: int) -> void:
+	_request.role = Roles.Role.TRAINEE
+	_walker = LoadWalker.new(_link, replica, p_number)
 
 
 ## Sets from where the client looks, m.
@@ -107,6 +114,8 @@ func poll() -> void:
 		_motion.keep_in_step()
 		if not bytes.is_empty():
 			_sender.send_ack(bytes)
+	if _walker != null:
+		_walker.advance()
 	_polls += 1
 	if _polls % _ages_every == 0:
 		_sample_ages(now)
@@ -129,7 +138,7 @@ func people_known() -> int:
 func report() -> Dictionary:
 	var result: Dictionary = {
 		"name": name,
-		"role": "observer" if _motion == null else "trainee",
+		"role": name.get_slice(" ", 0),
 		"session": _link.session,
 		"joined": is_joined(),
 		"people_known": people_known(),
@@ -172,6 +181,9 @@ func _on_joined() -> void:
 		_link.declare_people([_motion.card] as Array[PersonCard])
 		_sender.restart()
 		_sender.set_sending(true)
+	if _walker != null:
+		_link.declare_people([PersonCard.of(name, 0.95)] as Array[PersonCard])
+		_walker.restart()
 
 
 func _on_refused(p_why: String) -> void:

@@ -121,9 +121,10 @@ func _poll_due() -> bool:
 
 func _make_clients() -> String:
 	var trainees: int = _options.number("trainees")
-	var total: int = trainees + _options.number("observers")
+	var walkers: int = _options.number("walkers")
+	var total: int = LoadOptions.count_clients(_options)
 	if total == 0:
-		return "there are no clients: ask for --trainees or --observers"
+		return "there are no clients: ask for --trainees, --walkers or --observers"
 	var trust: ServerTrust = ServerTrust.of_options(_options)
 	if trust.find_fault() != "":
 		return trust.find_fault()
@@ -136,9 +137,11 @@ func _make_clients() -> String:
 			return first.error
 	for i: int in total:
 		var is_trainee: bool = i < trainees
-		var number: int = i if is_trainee else i - trainees
-		var who: String = "trainee %d" if is_trainee else "observer %d"
-		var client: LoadClient = LoadClient.new(who % number, _options, _agreement, _tables)
+		var is_walker: bool = not is_trainee and i < trainees + walkers
+		var number: int = i - (0 if is_trainee else trainees if is_walker else trainees + walkers)
+		var role: String = "trainee" if is_trainee else "walker" if is_walker else "observer"
+		var who: String = "%s %d" % [role, number]
+		var client: LoadClient = LoadClient.new(who, _options, _agreement, _tables)
 		client.trust_by(trust)
 		var angle: float = TAU * i / total
 		client.look_from(Vector3(4.0 * sin(angle), 1.6, 4.0 * cos(angle)))
@@ -148,6 +151,8 @@ func _make_clients() -> String:
 			# Each at another moment of the clip.
 			source.start_s = first.rig.clip.duration() * number / trainees
 			client.wear(source)
+		elif is_walker:
+			client.walk(number)
 		_clients.append(client)
 	return ""
 
@@ -207,7 +212,12 @@ func _make_report() -> Dictionary:
 		"compared_poses": _agreement.compared,
 		"different_poses": _agreement.different,
 		"clients": rows,
-		"groups": {"trainees": _group("trainee"), "observers": _group("observer")},
+		"groups":
+		{
+			"trainees": _group("trainee"),
+			"walkers": _group("walker"),
+			"observers": _group("observer"),
+		},
 	}
 
 

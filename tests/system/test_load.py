@@ -14,7 +14,7 @@ from toolchain.processes import free_port
 from .conftest import World
 from .test_commands import run
 
-CLIENTS = ["--trainees", "2", "--observers", "2"]
+CLIENTS = ["--trainees", "2", "--walkers", "1", "--observers", "2"]
 
 
 def rows_of(*options: str) -> dict[tuple[str, str], dict]:
@@ -36,13 +36,13 @@ def rows_of(*options: str) -> dict[tuple[str, str], dict]:
 
 
 def check_everybody_is_well(rows: dict[tuple[str, str], dict]) -> None:
-    for role in ("trainees", "observers"):
-        assert rows[role, "people known"]["value"] == 2
+    for role in ("trainees", "walkers", "observers"):
+        assert rows[role, "people known"]["value"] == 3
         assert rows[role, "snapshots of a client"]["value"] > 0.0
         assert rows[role, "age of people, p50"]["value"] > 0.0
         assert rows[role, "from sample to snapshot, p50"]["value"] > 0.0
     assert rows["sessions", "connections lost"]["value"] == 0
-    assert rows["sessions", "clients at the end"]["value"] == 4
+    assert rows["sessions", "clients at the end"]["value"] == 5
     assert rows["snapshots", "broken"]["value"] == 0
     assert rows["snapshots", "poses compared"]["value"] > 0
     assert rows["snapshots", "poses that differ between clients"]["value"] == 0
@@ -59,8 +59,10 @@ def test_everybody_knows_everybody_over_a_bad_network() -> None:
         assert rows["wire", f"{way}, mean of the clients"]["value"] > 0.0
     assert rows["observers", "age of people, p50"]["value"] > 20.0
     whole = json.loads((OUT / "load.json").read_text(encoding="utf-8"))
-    assert len(whole["clients"]["clients"]) == 4
-    assert len(whole["wire"]["clients"]) == 4
+    assert len(whole["clients"]["clients"]) == 5
+    assert len(whole["wire"]["clients"]) == 5
+    walker = whole["server"]["after"]["status"]["walkers"][0]
+    assert walker["inputs"] > 30
 
 
 def test_without_a_proxy() -> None:

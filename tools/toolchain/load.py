@@ -33,6 +33,7 @@ Puts many clients on one server, over a bad network between them, and measures w
 docs/load.md. All results are left in out/load.json.
 
   --trainees=N          clients that send motion, 0 to 500 (8)
+  --walkers=N           clients that walk without a suit, 0 to 500 (0)
   --observers=N         clients that watch, 0 to 500 (24)
   --loss=P              datagrams that get lost, % in each direction, 0 to 95 (0)
   --delay=MS            what each datagram takes, ms in each direction, 0 to 2000 (0)
@@ -58,6 +59,7 @@ class Settings:
     def __init__(self, arguments: list[str]) -> None:
         values = {
             "trainees": "8",
+            "walkers": "0",
             "observers": "24",
             "loss": "0",
             "delay": "0",
@@ -78,6 +80,7 @@ class Settings:
                 raise Failure(unknown_option("./run load", argument, options_in(HELP)), 2)
             values[name] = value
         self.trainees = _whole(values, "trainees", 0, MAX_CLIENTS)
+        self.walkers = _whole(values, "walkers", 0, MAX_CLIENTS)
         self.observers = _whole(values, "observers", 0, MAX_CLIENTS)
         self.loss = _number(values, "loss", 95.0, "%")
         self.delay = _number(values, "delay", 2000.0, "ms")
@@ -90,7 +93,7 @@ class Settings:
         self.port = _whole(values, "port", 1, 65535)
         self.bvh = values["bvh"]
         if self.clients == 0:
-            raise Failure("There are no clients: ask for --trainees or --observers.", 2)
+            raise Failure("There are no clients: ask for --trainees, --walkers or --observers.", 2)
         if self.jitter > self.delay:
             raise Failure("--jitter is at most --delay: nothing arrives before it was sent.", 2)
         if not Path(self.bvh).is_file():
@@ -108,7 +111,7 @@ class Settings:
     @property
     def clients(self) -> int:
         """All of them."""
-        return self.trainees + self.observers
+        return self.trainees + self.walkers + self.observers
 
     @property
     def has_proxy(self) -> bool:
@@ -192,6 +195,7 @@ def _start_clients(group: Group, settings: Settings, work: Path, port: int) -> N
         "--role=load",
         f"--port={port}",
         f"--trainees={settings.trainees}",
+        f"--walkers={settings.walkers}",
         f"--observers={settings.observers}",
         f"--rate={settings.rate}",
         f"--snapshot-rate={settings.snapshot_rate}",

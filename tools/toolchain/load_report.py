@@ -13,6 +13,8 @@ from .udp_proxy import HEADERS
 
 TICK_RATE = 60.0
 MAX_NETWORK_MS = 2.0
+# 60 % of a tick, with the step of physics.
+MAX_WORK_MS = 10.0
 MAX_KBIT = 256.0
 # The process with the clients keeps up if it polls each this share as often as it wants to.
 MIN_POLLS_SHARE = 0.9
@@ -78,7 +80,7 @@ def add_stats(stats: Stats, found: Measured) -> None:
         _add_counted_traffic(stats, found)
     else:
         _add_wire(stats, found, found.wire)
-    for role in ("trainees", "observers"):
+    for role in ("trainees", "walkers", "observers"):
         if found.settings[role]:
             _add_knowledge(stats, found, role)
     _add_health(stats, found)
@@ -97,6 +99,9 @@ def _add_server(stats: Stats, found: Measured) -> None:
         for rank in ("p50", "p99"):
             name = f"{part} time per tick, {rank}"
             stats.add("server", name, recent[f"{part}_ms_{rank}"], "ms")
+    for rank, goal in (("p50", MAX_WORK_MS), ("p99", None)):
+        name = f"main thread, CPU per tick, {rank}"
+        stats.add("server", name, recent[f"work_ms_{rank}"], "ms", at_most=goal)
 
 
 def _add_networking(stats: Stats, found: Measured) -> None:
@@ -179,7 +184,8 @@ def _add_knowledge(stats: Stats, found: Measured, role: str) -> None:
     for rank in ("p50", "p95", "p99"):
         stats.add(role, f"age of people, {rank}", group["age"][f"{rank}_ms"], "ms")
     known = min(row["people_known"] for row in rows)
-    stats.add(role, "people known", known, "", at_least=found.settings["trainees"])
+    people = found.settings["trainees"] + found.settings["walkers"]
+    stats.add(role, "people known", known, "", at_least=people)
     for rank in ("p50", "p99"):
         delay = group["latency"][f"{rank}_ms"]
         stats.add(role, f"from sample to snapshot, {rank}", delay, "ms")
