@@ -3,7 +3,7 @@ extends Node
 ## What a user's hands wish who walks: keys and mouse, a gamepad, or the sticks of a headset.
 ##
 ## While the mouse is caught it turns the eyes; a click into the window catches it, Esc lets it go.
-## Without it the arrow keys and the right stick turn them. A headset's wearer looks by the own head.
+## Without it the arrow keys and the right stick turn them. A headset says itself where they look.
 
 ## Speeds, m/s: walking by keys, the full stick, running; faster, and the body would fall.
 const WALK: float = 1.6
@@ -92,7 +92,7 @@ func read(p_delta_s: float) -> WalkerInput:
 	if hands_off:
 		return input
 	var speed: float = WALK if _pad.length() < _REST else JOG
-	var way: Vector2 = Input.get_vector(&"walk_left", &"walk_right", &"walk_back", &"walk_forward")
+	var way: Vector2 = _way()
 	if stick.length() > _REST:
 		way = stick.normalized() * inverse_lerp(_REST, 1.0, minf(stick.length(), 1.0))
 		speed = JOG
@@ -111,8 +111,16 @@ func read(p_delta_s: float) -> WalkerInput:
 
 ## Whether a stick or keys say where to go.
 func goes() -> bool:
-	var way: Vector2 = Input.get_vector(&"walk_left", &"walk_right", &"walk_back", &"walk_forward")
-	return not hands_off and (way != Vector2.ZERO or stick.length() > _REST)
+	return not hands_off and (_way() != Vector2.ZERO or stick.length() > _REST)
+
+
+## What keys or the stick of a gamepad say: x right, y ahead, up to 1.
+func _way() -> Vector2:
+	if _pad.length() >= _REST:
+		return Input.get_vector(&"walk_left", &"walk_right", &"walk_back", &"walk_forward")
+	# Each with its own dead zone: a stick that rests does not turn the way of keys.
+	var right: float = Input.get_axis(&"walk_left", &"walk_right")
+	return Vector2(right, Input.get_axis(&"walk_back", &"walk_forward")).limit_length()
 
 
 func _turn(p_delta_s: float) -> void:

@@ -6,7 +6,7 @@ extends RefCounted
 ## The wearer's own frame is the recentred tracking space, see [ClientHeadset]. Who steps aside in
 ## the own room stays there while a stick is used; while it rests the body comes below the head.
 
-## How far the head may be from above the feet, m, and how quickly the body follows beyond that, 1/s.
+## How far the head may be from above the feet, m; how quickly the body follows beyond that, 1/s.
 const SLACK_M: float = 0.15
 const FOLLOW: float = 3.0
 ## The eyes are this far down where the wearer crouches, and where not any more, as shares of their

@@ -217,9 +217,7 @@ func _read() -> WalkerInput:
 
 func _look(p_left: float, p_at: Vector3) -> void:
 	var pose: Transform3D = Transform3D(Basis(Vector3.UP, p_left), p_at)
-	_head.set_pose(
-		&"default", pose, Vector3.ZERO, Vector3.ZERO, XRPose.XR_TRACKING_CONFIDENCE_HIGH
-	)
+	_head.set_pose(&"default", pose, Vector3.ZERO, Vector3.ZERO, XRPose.XR_TRACKING_CONFIDENCE_HIGH)
 
 
 func _push(p_hand: int, p_stick: Vector2) -> void:
