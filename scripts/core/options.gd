@@ -98,6 +98,11 @@ func number(p_name: String) -> int:
 	return _values[p_name]
 
 
+## The value of an option that has no unit, such as a share.
+func decimal(p_name: String) -> float:
+	return _values[p_name]
+
+
 ## Whether an option is switched on.
 func is_on(p_name: String) -> bool:
 	return number(p_name) != 0

@@ -5,7 +5,9 @@ extends RefCounted
 ## The view is always the headset's own pose in this frame, so it may only move calmly. It follows
 ## where the server has the wearer's body: a wall that stops the body, a step that lifts it, a
 ## vehicle that carries it. What carries the room moves it at once and rigidly; the rest is followed
-## slowly, and a jump (a change of level, a teleport) is a cut.
+## slowly, and a jump (a change of level, a teleport) is a cut. Who walks by a stick says how fast:
+## the room moves so evenly, without lagging behind, and only what differs is followed slowly, such
+## as the steps of stairs.
 
 ## Time constants with which the room follows the body, s: level and upright.
 const CALM_S: float = 0.8
@@ -32,9 +34,14 @@ func restart() -> void:
 
 ## Where the room is in the world, when the body says that it should be somewhere, a time after the
 ## call before, s. [param p_carrier] is the number of what carries the wearer, or -1, and
-## [param p_frame] where that is.
+## [param p_frame] where that is; [param p_velocity] is what the room moves by in the world besides
+## its carrier, m/s.
 func advance(
-	p_wanted: Transform3D, p_step_s: float, p_carrier: int = -1, p_frame := Transform3D.IDENTITY
+	p_wanted: Transform3D,
+	p_step_s: float,
+	p_carrier: int = -1,
+	p_frame := Transform3D.IDENTITY,
+	p_velocity := Vector3.ZERO
 ) -> Transform3D:
 	if not p_wanted.is_finite() or not p_frame.is_finite():
 		return p_frame * _room if p_frame.is_finite() else _room
@@ -44,7 +51,10 @@ func advance(
 		_carrier = p_carrier
 		_room = wanted
 		return p_frame * _room
-	_follow(wanted, maxf(p_step_s, 0.0))
+	var step_s: float = maxf(p_step_s, 0.0)
+	if p_velocity.is_finite():
+		_room.origin += p_frame.basis.inverse() * p_velocity * step_s
+	_follow(wanted, step_s)
 	return p_frame * _room
 
 

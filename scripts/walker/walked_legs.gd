@@ -47,6 +47,9 @@ var ground: TravelFrame = TravelFrame.new()
 var frame: Transform3D = Transform3D.IDENTITY
 ## Whether [member frame] is known: without it nobody walks.
 var has_frame: bool = false
+## Where ahead is for the stick in the wearer's own frame, such as where the head looks: the angle
+## about +Y, rad, 0 towards +Z; NAN: where the hips face.
+var ahead: float = NAN
 ## Whether who sits on a real chair stands on the walker's legs; not in a seat of the world.
 var raises_seated: bool = true
 
@@ -140,6 +143,11 @@ func travel() -> Transform3D:
 	var moved: Transform3D = Transform3D(_travel.basis, _travel.origin * ground.scale)
 	_mutex.unlock()
 	return moved
+
+
+## How fast the stick carries the wearer in the world, m/s.
+func velocity() -> Vector3:
+	return ground.mover.get_velocity() if _goes else Vector3.ZERO
 
 
 ## How much of the legs is the walker's: 0 none, 1 all.
@@ -247,7 +255,8 @@ func _read_wish(p_own: PoseSample, p_passed_s: float) -> WalkerInput:
 	var base: float = (ground.heading() if _goes else _heading_of(frame)) + _turned + _facing
 	wish.heading = base
 	# From the input's heading to the wearer's: both are angles from +Z to +X.
-	wish.wish = read.wish.rotated(read.heading - base)
+	var towards: float = base if is_nan(ahead) else base - _facing + ahead
+	wish.wish = read.wish.rotated(read.heading - towards)
 	wish.stance = mini(read.stance, WalkerMover.CROUCH) as WalkerMover.Stance
 	return wish
 

@@ -22,6 +22,9 @@ var read_input: Callable = Callable()
 var due_tick: Callable = Callable()
 ## Sends an input for a tick: [code]func(input: WalkerInput, tick: int) -> void[/code].
 var send: Callable = Callable()
+## Says where the room of a headset is, whose wearer walks: [code]func(place) -> void[/code], which
+## changes the transform of the client's wearer; not valid: the body's own frame.
+var find_room: Callable = Callable()
 ## The form of the command, by which inputs are rounded.
 var schema: EntitySchema = null
 ## Length of a tick, s.

@@ -109,12 +109,18 @@ static func rows() -> Array[OptionRow]:
 			. shown_as("X,Y,Z,HEADING[,NAME]")
 		),
 		OptionRow.flag("seated", showing, "you sit: the headset's height does not count"),
-		OptionRow.number(
-			"snap-turn", showing, 30, [0, 90], "turn by a thumbstick; 0: none", "degrees"
-		),
 		(
 			OptionRow
-			. flag("vignette", showing, "darken the edge of the view while you are turned or moved")
-			. or_default(1)
+			. text("turn", showing, "how the right thumbstick turns you; by default by 30 degrees")
+			. shown_as(StickTurn.FORM)
+			. or_default("snap")
+		),
+		OptionRow.decimal(
+			"vignette",
+			showing,
+			0.5,
+			[0.0, 1.0],
+			"how much the edge of the view darkens while you are turned or moved; 0: never",
+			""
 		),
 	]

@@ -192,9 +192,7 @@ func find_wearer(
 				place.carrier_frame = p_replica.body_transform(place.carrier)
 			var heading: float = p_replica.ground_heading(first_actor)
 			place.frame = motion.frame_in_world(floats, heading)
-			var legs: WalkedLegs = motion.source as WalkedLegs
-			if legs != null:
-				place.travel = legs.travel()
+			_carry(place, motion.source)
 			return place
 	return null
 
@@ -221,6 +219,17 @@ func stop() -> void:
 		_end(motion)
 	_motions.clear()
 	_sender.stop()
+
+
+## Where a stick has carried who walks by it.
+static func _carry(r_place: WearerTransform, p_source: MotionSource) -> void:
+	var legs: WalkedLegs = p_source as WalkedLegs
+	var walker: WalkerSource = p_source as WalkerSource
+	if legs != null:
+		r_place.travel = legs.travel()
+		r_place.velocity = legs.velocity()
+	elif walker != null and walker.find_room.is_valid():
+		walker.find_room.call(r_place)
 
 
 func _look_at_sizes() -> void:

@@ -8,6 +8,8 @@ var actor: int = -1
 var frame: Transform3D = Transform3D.IDENTITY
 ## From the room that the wearer is in to that frame: where a stick has carried the wearer.
 var travel: Transform3D = Transform3D.IDENTITY
+## What a stick carries the wearer by now in the world, m/s.
+var velocity: Vector3 = Vector3.ZERO
 ## What carries the person: its number, or -1, and its transform.
 var carrier: int = -1
 var carrier_frame: Transform3D = Transform3D.IDENTITY

@@ -259,7 +259,9 @@ func _on_profile_changed(p_suit: int) -> void:
 
 func _on_appeared(p_source: MotionSource, p_name: String) -> void:
 	var headset: ClientHeadset = context.headset
-	if headset != null and headset.fused == null and headset.body == null:
+	# Who walks by a stick has the headset's head already.
+	var is_free: bool = headset != null and headset.fused == null and headset.body == null
+	if is_free and not p_source is WalkerSource:
 		_fitted[p_source] = headset.fit(p_source)
 	if inputs.people.carries(p_source):
 		_fitted[p_source] = WalkedLegs.new(_fitted.get(p_source, p_source))

@@ -19,13 +19,13 @@ const ACTIONS: Array[Dictionary] = [
 		&"by_button": &"next_person",
 		&"menu_button": &"ui_cancel",
 		&"grip_click": &"switch_torch",
+		&"primary_click": &"walk_run",
 	},
 	{
 		&"trigger_click": &"fire",
 		&"grip_click": &"interact",
 		&"ax_button": &"interact",
 		&"by_button": &"next_ammunition",
-		&"primary_click": &"switch_torch",
 		&"menu_button": &"ui_cancel",
 	},
 ]
@@ -37,9 +37,8 @@ const GESTURES: Dictionary[HandGestures.Gesture, StringName] = {
 	HandGestures.Gesture.FIST: &"grip_click",
 	HandGestures.Gesture.THUMB_UP: &"menu_button",
 }
-## Strength of the vignette, and angle of a snap turn, at first.
+## Strength of the vignette where the menu switches it on.
 const VIGNETTE: float = 0.5
-const SNAP: float = deg_to_rad(30.0)
 ## Height of the eyes of a user without a body above the ground, m.
 const _EYES_M: float = 1.65
 ## Where is kept how the headset sits on the head.
@@ -57,17 +56,18 @@ var body: XrBodySource = null
 var _devices: XrDevices = XrDevices.new()
 var _gestures: Array[HandGestures] = [HandGestures.new(), HandGestures.new()]
 var _has_vignette: bool = true
+var _vignette: float = VIGNETTE
 var _room: RoomFrame = RoomFrame.new()
 var _orientation: HeadFusion.Source = HeadFusion.Source.BOTH
 var _position: HeadFusion.Source = HeadFusion.Source.BOTH
 var _wanted: Transform3D = Transform3D.IDENTITY
+var _velocity: Vector3 = Vector3.ZERO
 var _wearer: Transform3D = Transform3D.IDENTITY
 var _carrier: int = -1
 var _carrier_frame: Transform3D = Transform3D.IDENTITY
 var _has_begun: bool = false
 var _actor: int = -1
 var _tier: int = -1
-var _snap: float = SNAP
 var _marker: MarkerAlignment = null
 var _menu: HmdMenu = null
 var _list: HeadsetMenu = null
@@ -80,18 +80,21 @@ func open(p_display: HmdDisplay, p_options: Options) -> String:
 	display = p_display
 	_orientation = HeadFusion.SOURCES[p_options.text("head-orientation")]
 	_position = HeadFusion.SOURCES[p_options.text("head-position")]
-	_has_vignette = p_options.is_on("vignette")
-	display.snap_turn.angle = deg_to_rad(p_options.number("snap-turn"))
+	var strength: float = p_options.decimal("vignette")
+	_has_vignette = strength > 0.0
+	_vignette = strength if _has_vignette else VIGNETTE
+	display.turning = StickTurn.parse(p_options.text("turn"))
 	display.recentring.is_seated = p_options.is_on("seated")
 	display.pressed.connect(_on_button.bind(true))
 	display.released.connect(_on_button.bind(false))
 	display.recentred.connect(_on_recentred)
 	display.turned.connect(_on_turned)
-	_snap = display.snap_turn.angle if display.snap_turn.angle > 0.0 else SNAP
 	display.quality_wanted.connect(_on_quality_wanted)
 	for hand: int in 2:
 		_gestures[hand].began.connect(_on_gesture.bind(hand, true))
 		_gestures[hand].ended.connect(_on_gesture.bind(hand, false))
+	if display.turning.error != "":
+		return display.turning.error
 	return _set_marker(p_options.text("marker"))
 
 
@@ -118,6 +121,36 @@ func aim() -> Transform3D:
 	if frame.has_hands[1] != 0:
 		return display.controller_pose(1)
 	return display.head_in_world()
+
+
+## The headset in the wearer's own frame: it looks along its -Z.
+func head() -> Transform3D:
+	return _devices.frame.head
+
+
+## Whether the left (0) or right (1) hand is tracked.
+func has_hand(p_hand: int) -> bool:
+	return _devices.frame.has_hands[p_hand] != 0
+
+
+## Where a hand points in the wearer's own frame, along -Z.
+func pointer(p_hand: int) -> Transform3D:
+	return _wearer.affine_inverse() * display.controller_pose(p_hand)
+
+
+## How far the stick of the left (0) or right (1) hand is pushed: x right, y ahead, up to 1.
+func stick(p_hand: int) -> Vector2:
+	return _devices.stick(p_hand)
+
+
+## Whether the wearer has the menu open.
+func is_menu_open() -> bool:
+	return is_instance_valid(_menu) and _menu.is_open()
+
+
+## The room is elsewhere from now on, at once.
+func cut() -> void:
+	_room.restart()
 
 
 ## Shows the wearer a text for a while.
@@ -147,7 +180,7 @@ func fit(p_source: MotionSource) -> MotionSource:
 	fused = FusedSource.new(p_source)
 	fused.fusion.orientation = _orientation
 	fused.fusion.position = _position
-	_read_mount(fused.fusion.mount)
+	fused.fusion.mount.load_file(_MOUNT_FILE)
 	return fused
 
 
@@ -161,8 +194,12 @@ func make_body() -> MotionSource:
 ## Reads the devices for a frame that will be seen at a time, µs of [method Time.get_ticks_usec]
 ## and of Unix time. Call it before samples are taken.
 func read(p_due_usec: int, p_unix_usec: int) -> void:
-	if not display.is_worn():
-		return
+	if display.is_worn():
+		read_devices(p_due_usec, p_unix_usec)
+
+
+## The same of devices that somebody else shows the world of.
+func read_devices(p_due_usec: int, p_unix_usec: int) -> void:
 	var frame: XrFrame = _devices.read(p_unix_usec)
 	for hand: int in 2:
 		var tracker: XRHandTracker = XRServer.get_tracker(XrDevices.HANDS[hand]) as XRHandTracker
@@ -184,10 +221,10 @@ func read(p_due_usec: int, p_unix_usec: int) -> void:
 
 ## Puts the wearer's room into the world for a frame of a length, s.
 func place(p_due_usec: int, p_step_s: float) -> void:
-	_wearer = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame)
+	_wearer = _room.advance(_wanted, p_step_s, _carrier, _carrier_frame, _velocity)
 	if display.is_worn():
 		# A cabin around the wearer is enough of a rest frame.
-		var wanted: float = VIGNETTE if _has_vignette and _carrier < 0 else 0.0
+		var wanted: float = _vignette if _has_vignette and _carrier < 0 else 0.0
 		display.view().vignette.strength = wanted
 	# The display puts its own recentring between the room and the tracking space.
 	var space: Transform3D = display.recentring.transform().affine_inverse()
@@ -202,6 +239,7 @@ func follow_body(p_place: WearerTransform) -> void:
 		_actor = p_place.actor
 		_room.restart()
 	_wanted = p_place.room()
+	_velocity = p_place.velocity
 	_carrier = p_place.carrier
 	_carrier_frame = p_place.carrier_frame
 
@@ -211,6 +249,7 @@ func follow_camera(p_camera: Transform3D) -> void:
 	if _actor >= 0:
 		_actor = -1
 		_room.restart()
+	_velocity = Vector3.ZERO
 	_carrier = -1
 	_carrier_frame = Transform3D.IDENTITY
 	var turn: Basis = Basis(Vector3.UP, Recentring.heading_of(p_camera.basis)) * AHEAD.basis
@@ -227,7 +266,7 @@ func report() -> Dictionary:
 
 func _exit_tree() -> void:
 	if fused != null and fused.fusion.mount.is_solved:
-		_write_mount(fused.fusion.mount)
+		fused.fusion.mount.save_file(_MOUNT_FILE)
 	if _list != null:
 		if is_instance_valid(_menu):
 			_menu.close()
@@ -274,10 +313,11 @@ func _on_recentred() -> void:
 
 
 ## The body turns with its wearer.
-func _on_turned(p_angle: float) -> void:
+func _on_turned(p_angle: float, p_is_step: bool) -> void:
 	if fused != null:
 		fused.turn(p_angle)
-	if body != null:
+	# Feet step after a smooth turn as after one of the wearer's own.
+	if body != null and p_is_step:
 		body.recentre()
 
 
@@ -317,7 +357,7 @@ func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
 		HeadsetMenu.Entry.VIGNETTE:
 			_has_vignette = not _has_vignette
 		HeadsetMenu.Entry.SNAP_TURN:
-			display.snap_turn.angle = _snap if display.snap_turn.angle == 0.0 else 0.0
+			display.turning.is_on = not display.turning.is_on
 		HeadsetMenu.Entry.LEAVE:
 			leave_wanted.emit()
 	if p_entry in [HeadsetMenu.Entry.CONTINUE, HeadsetMenu.Entry.RECENTRE]:
@@ -327,7 +367,7 @@ func _on_chosen(p_entry: HeadsetMenu.Entry) -> void:
 
 
 func _describe_settings() -> void:
-	_list.describe(display.recentring.is_seated, _has_vignette, display.snap_turn.angle > 0.0)
+	_list.describe(display.recentring.is_seated, _has_vignette, display.turning.is_on)
 
 
 ## Takes where the level has a marker, from a text such as "1.5,1.6,-4,90,door". Returns what is
@@ -348,21 +388,3 @@ func _set_marker(p_text: String) -> String:
 	var place: Vector3 = Vector3(parts[0].to_float(), parts[1].to_float(), parts[2].to_float())
 	_marker.in_world = Transform3D(turn, place)
 	return ""
-
-
-## How the headset sits is found from nods and turns, and kept.
-static func _read_mount(p_mount: HeadMount) -> void:
-	if not FileAccess.file_exists(_MOUNT_FILE):
-		return
-	var kept: Variant = JSON.parse_string(FileAccess.get_file_as_string(_MOUNT_FILE))
-	var fault: String = "it is no JSON object"
-	if kept is Dictionary:
-		fault = p_mount.read_dictionary(kept)
-	if fault != "":
-		Log.warning("headset", "%s is not used: %s" % [_MOUNT_FILE, fault])
-
-
-static func _write_mount(p_mount: HeadMount) -> void:
-	var file: FileAccess = FileAccess.open(_MOUNT_FILE, FileAccess.WRITE)
-	if file != null:
-		file.store_string(JSON.stringify(p_mount.to_dictionary()))

@@ -12,6 +12,7 @@ var _bodies: WalkerBodies = WalkerBodies.new()
 var _source: WalkerSource = null
 var _legs: WalkedLegs = null
 var _actor: int = -1
+var _worn: HeadsetWalk = null
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
@@ -43,6 +44,7 @@ func begin_frame() -> void:
 	if not _walks():
 		return
 	_controls.hands_off = context.is_menu_open() or context.is_seated
+	_wear()
 	# The arrow keys turn who walks.
 	context.scene.view.camera.takes_keys = _controls.hands_off
 	if _controls.hands_off and Input.mouse_mode == Input.MOUSE_MODE_CAPTURED:
@@ -78,6 +80,7 @@ func report() -> Dictionary:
 		"pull_m_p99": prediction.pulls.percentile(0.99),
 		"position": [place.x, place.y, place.z],
 		"heading": _controls.heading,
+		"stance": prediction.mover.get_stance(),
 		"mode": prediction.mover.get_mode(),
 	}
 	return {"walking": rows}
@@ -85,6 +88,37 @@ func report() -> Dictionary:
 
 func close() -> void:
 	_leave_source()
+
+
+## Lets the wearer of a headset walk.
+func _wear() -> void:
+	if not context.is_headset_worn():
+		if _worn != null:
+			_worn.end(_controls)
+			_worn = null
+		return
+	if _worn == null:
+		var by_hand: bool = context.options.text("walk-by") == "hand"
+		_worn = HeadsetWalk.new(context.headset, by_hand)
+		_worn.begin(_controls.heading)
+		context.headset.display.recentred.connect(_recentre)
+	_worn.read(_controls, _legs)
+
+
+func _recentre() -> void:
+	if _worn != null:
+		_worn.recentre(_controls.heading)
+
+
+## Puts the room of a headset where its wearer walks, or sits.
+func _find_room(r_place: WearerTransform) -> void:
+	var views: Dictionary[int, ActorView] = context.scene.people()
+	if _worn == null or _source == null or _source.prediction.tick < 0:
+		return
+	if context.is_seated and views.has(_actor):
+		_worn.find_seat(r_place, views[_actor].head(), views[_actor].heading())
+	else:
+		_worn.find_room(r_place, _source.prediction)
 
 
 func _walks() -> bool:
@@ -112,6 +146,7 @@ func _meet_source() -> void:
 		_source.read_input = _controls.read
 		_source.due_tick = _due_tick
 		_source.send = _send
+		_source.find_room = _find_room
 	ClientPhysics.hold()
 
 
@@ -192,6 +227,8 @@ func _on_walk(p_bytes: PackedByteArray, _arrival_usec: int) -> bool:
 		return false
 	if begins:
 		_controls.heading = _source.prediction.mover.get_heading()
+		if _worn != null:
+			_worn.begin(_controls.heading)
 		if _controls.list != null:
 			_controls.list.begin(_controls.heading)
 	return true

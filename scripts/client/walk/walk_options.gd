@@ -6,4 +6,9 @@ extends RefCounted
 ## Their rows.
 static func rows() -> Array[OptionRow]:
 	var moving: PackedStringArray = [Roles.name_of(Roles.Role.TRAINEE)]
-	return [OptionRow.text("walk", moving, "walk by a list instead of keys: " + WalkScript.FORM)]
+	return [
+		OptionRow.text("walk", moving, "walk by a list instead of keys: " + WalkScript.FORM),
+		OptionRow.choice(
+			"walk-by", moving, "head", ["head", "hand"], "where ahead is for the stick of a headset"
+		),
+	]

@@ -15,8 +15,9 @@ signal released(p_action: StringName, p_hand: int)
 ## The wearer's position and heading have been set anew: who recentres stands upright and looks
 ## ahead.
 signal recentred
-## The wearer has turned by a step: an angle about +Y through the head, rad, left is positive.
-signal turned(p_angle: float)
+## A stick has turned the wearer, by a step or in this frame of a smooth turn: an angle about +Y
+## through the head, rad, left is positive.
+signal turned(p_angle: float, p_is_step: bool)
 ## Draw less (a higher detail step, 0 to 3): see [constant RateKeeper.STEPS].
 signal quality_wanted(p_step: int)
 ## There is no headset, or none any more: only the window goes on. Again with each new answer.
@@ -53,7 +54,9 @@ var returns_by_itself: bool = true
 ## Recentring, seated, turned.
 var recentring: Recentring = Recentring.new()
 ## Turning by the right thumbstick.
-var snap_turn: SnapTurn = SnapTurn.new()
+var turning: StickTurn = StickTurn.new()
+## Another stick that turns, such as a gamepad's: x right, y up, -1 to 1.
+var stick: Vector2 = Vector2.ZERO
 ## Holds the rate.
 var keeper: RateKeeper = RateKeeper.new()
 
@@ -210,6 +213,8 @@ func due_usec() -> int:
 func report() -> Dictionary:
 	return {
 		"worn": is_worn(),
+		"eyes": _view.describe_eyes() if _view != null else [],
+		"vignette": _view.vignette.amount() if _view != null else 0.0,
 		"runtime": _runtime.describe() if _runtime != null else "",
 		"rate_hz": _runtime.rate_hz() if _view != null else 0.0,
 		"eye_size": _runtime.eye_size() if _view != null else [],
@@ -230,9 +235,8 @@ func _begin() -> void:
 	add_child(_view)
 	_view.set_quality(RateKeeper.STEPS[keeper.step])
 	for i: int in 2:
-		var hand: XRController3D = _view.hand(i)
-		hand.button_pressed.connect(_on_pressed.bind(i))
-		hand.button_released.connect(func(action: String) -> void: released.emit(action, i))
+		_view.hand(i).button_pressed.connect(_on_pressed.bind(i))
+		_view.hand(i).button_released.connect(released.emit.bind(i))
 	keeper.stepped.connect(_on_stepped)
 	_runtime.interface.pose_recentered.connect(_on_pose_recentred)
 	_window.take(get_window())
@@ -255,24 +259,35 @@ func _show_frame(p_delta: float) -> void:
 	var rate: float = _runtime.rate_hz()
 	var period: float = 1.0 / rate if rate > 0.0 else 0.0
 	keeper.add(p_delta, period, _view.drawing_s(), _view.has_compiled())
-	var turn: float = snap_turn.step(_view.hand(1).get_vector2(&"primary"))
-	if turn != 0.0:
-		recentring.turn(turn, _view.head.transform)
-		_cut()
-		turned.emit(turn)
+	var turn: float = _turn(p_delta)
 	if _recentre_frame > 0 and Engine.get_process_frames() >= _recentre_frame:
 		_recentre_frame = 0
 		recentre()
 	_view.origin.transform = tracking_in_world()
 	var moved: Transform3D = _last_room.affine_inverse() * _room
-	var moved_turn: float = Recentring.heading_of(moved.basis)
+	turn += Recentring.heading_of(moved.basis)
 	_last_room = _room
 	if p_delta > 0.0:
-		_view.vignette.advance(moved.origin.length() / p_delta, moved_turn / p_delta, p_delta)
+		_view.vignette.advance(moved.origin.length() / p_delta, turn / p_delta, p_delta)
 	if _spectator != null:
 		_spectator.follow(head_in_world(), p_delta)
 	_window.hold()
 	_guard.beat()
+
+
+## Turns the wearer about the own head. Returns by how much smoothly, rad.
+func _turn(p_delta: float) -> float:
+	var pushed: Vector2 = _view.hand(1).get_vector2(&"primary")
+	var turn: float = turning.advance(pushed if stick.is_zero_approx() else stick, p_delta)
+	if turn == 0.0:
+		return 0.0
+	recentring.turn(turn, _view.head.transform)
+	var is_step: bool = turning.rate == 0.0
+	if is_step:
+		_cut()
+		_view.vignette.blink()
+	turned.emit(turn, is_step)
+	return 0.0 if is_step else turn
 
 
 ## The runtime has said by now when the frame will be seen.

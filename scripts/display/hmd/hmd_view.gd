@@ -46,6 +46,13 @@ func hand(p_hand: int) -> XRController3D:
 	return _hands[p_hand]
 
 
+## Where the eyes are in the world, m, and where they look: degrees about +Y, 0 towards +Z.
+func describe_eyes() -> Array[float]:
+	var at: Vector3 = head.global_position
+	var heading: float = Recentring.heading_of(head.global_basis) + PI
+	return [at.x, at.y, at.z, rad_to_deg(wrapf(heading, -PI, PI))]
+
+
 ## How long the card took for both eyes' pictures of the last frame of which that is known, s; 0
 ## where it does not tell.
 func drawing_s() -> float:

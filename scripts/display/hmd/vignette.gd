@@ -11,11 +11,14 @@ const _WIDE: float = 1.2
 const _NARROW: float = 0.35
 ## It comes and goes within this time, s.
 const _TIME_S: float = 0.25
+## Time in which the picture comes back after a step, s.
+const _BLINK_S: float = 0.1
 
 ## How strongly, 0 (never) to 1 (a tunnel of 20 degrees).
 var strength: float = 0.5
 
 var _amount: float = 0.0
+var _dark: float = 0.0
 var _material: ShaderMaterial = ShaderMaterial.new()
 
 
@@ -38,8 +41,16 @@ func advance(p_speed: float, p_turn: float, p_delta: float) -> void:
 	var wanted: float = clampf(moved, 0.0, 1.0) * clampf(strength, 0.0, 1.0)
 	wanted = wanted if is_finite(wanted) else 0.0
 	_amount = move_toward(_amount, wanted, maxf(0.0, p_delta) / _TIME_S)
-	visible = _amount > 0.0
+	visible = _amount > 0.0 or _dark > 0.0
 	_material.set_shader_parameter("edge", lerpf(_WIDE, _NARROW, _amount))
+	_material.set_shader_parameter("dark", _dark)
+	_dark = move_toward(_dark, 0.0, maxf(0.0, p_delta) / _BLINK_S)
+
+
+## The view has made a step: the picture comes back out of the dark. Without any strength it is
+## there at once.
+func blink() -> void:
+	_dark = 1.0 if strength > 0.0 else 0.0
 
 
 ## How dark it is now, 0 to 1.

@@ -140,6 +140,11 @@ func vanish(p_source: MotionSource) -> void:
 
 ## Why a source can't give a group, or an empty text.
 func _limit_of(p_group: LimbFusion.Group, p_number: int) -> String:
+	if walker == 1 and p_number != walker:
+		return (
+			"source 1 walks: name it after the source that has arms and head, such as"
+			+ " --source=xr --source=walker --fuse=legs:2"
+		)
 	if walker == 0 or p_number != walker or walker == 1 or WALKED.has(p_group):
 		return ""
 	return "source %d walks: it gives legs, feet and root, together" % walker

@@ -131,6 +131,23 @@ func read_dictionary(p_values: Dictionary) -> String:
 	return ""
 
 
+## Takes what a file has kept, if there is one; what is wrong with it is logged.
+func load_file(p_path: String) -> void:
+	if not FileAccess.file_exists(p_path):
+		return
+	var kept: Variant = JSON.parse_string(FileAccess.get_file_as_string(p_path))
+	var fault: String = read_dictionary(kept) if kept is Dictionary else "it is no JSON object"
+	if fault != "":
+		Log.warning("headset", "%s is not used: %s" % [p_path, fault])
+
+
+## Keeps it in a file.
+func save_file(p_path: String) -> void:
+	var file: FileAccess = FileAccess.open(p_path, FileAccess.WRITE)
+	if file != null:
+		file.store_string(JSON.stringify(to_dictionary()))
+
+
 ## How far the headset nodded and turned: its range, rad.
 func _ranges() -> Vector2:
 	if _heads.is_empty():

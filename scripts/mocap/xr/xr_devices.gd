@@ -25,6 +25,8 @@ const PINS: PackedStringArray = [
 const HEAD: StringName = &"head"
 const CONTROLLERS: Array[StringName] = [&"left_hand", &"right_hand"]
 const HANDS: Array[StringName] = [&"/user/hand_tracker/left", &"/user/hand_tracker/right"]
+## The action that is a controller's stick.
+const STICK: StringName = &"primary"
 ## Poses of a controller that lie in the palm, best first.
 const _PALM_POSES: Array[StringName] = [&"grip", &"grip_pose", &"default", &"default_pose"]
 ## The wrist, seen from the middle of the palm, m: back along the hand, in the grip's axes.
@@ -52,6 +54,17 @@ func read(p_time_usec: int) -> XrFrame:
 			frame.has_pins[pin] = 1
 	frame.drop_faults()
 	return frame
+
+
+## How far the stick of a hand's controller (0 left, 1 right) is pushed: x right, y ahead, up to 1.
+func stick(p_side: int) -> Vector2:
+	var tracker: XRPositionalTracker = (
+		XRServer.get_tracker(CONTROLLERS[p_side]) as XRPositionalTracker
+	)
+	var pushed: Variant = tracker.get_input(STICK) if tracker != null else null
+	if not pushed is Vector2 or not (pushed as Vector2).is_finite():
+		return Vector2.ZERO
+	return (pushed as Vector2).limit_length()
 
 
 ## The rotation of a hand from the reset pose by a controller's grip (OpenXR: +X out of the left

@@ -12,7 +12,7 @@ var _headset: ClientHeadset = null
 func before_each() -> void:
 	_display = HmdDisplay.new()
 	_headset = ClientHeadset.new()
-	_headset.open(_display, ProgramOptions.parse(["--snap-turn=45", "--seated"]))
+	_headset.open(_display, ProgramOptions.parse(["--turn=snap:45", "--seated"]))
 
 
 func after_each() -> void:
@@ -21,7 +21,7 @@ func after_each() -> void:
 
 
 func test_options_reach_the_display() -> void:
-	almost_equal(rad_to_deg(_display.snap_turn.angle), 45.0, 1e-3)
+	almost_equal(rad_to_deg(_display.turning.angle), 45.0, 1e-3)
 	is_true(_display.recentring.is_seated)
 
 

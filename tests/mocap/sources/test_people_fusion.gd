@@ -80,6 +80,14 @@ func test_a_walker_carries_the_first_one_s_person_and_is_nobody() -> void:
 	is_false(_fusion.carries(suit))
 
 
+func test_a_walker_that_comes_first_is_told_to_come_second() -> void:
+	_fusion.walker = 1
+	for text: String in ["legs:2", "arms:2", "head:2,arms:3"]:
+		contains(_fusion.read(text), "--source=xr --source=walker --fuse=legs:2")
+	contains(_fusion.choose(LimbFusion.Group.HEAD, 2), "source 1 walks")
+	equal(_fusion.choose(LimbFusion.Group.HEAD, 1), "")
+
+
 func test_a_walker_and_limbs_of_others_at_the_panel() -> void:
 	_fusion.walker = 3
 	var sources: Array[MotionSource] = []

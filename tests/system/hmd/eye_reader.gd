@@ -29,6 +29,8 @@ var size: Vector2i = Vector2i.ZERO
 ## The frame that was read.
 var frame: int = -1
 
+# What the shader has added up of the picture that was read last: three whole numbers.
+var _added: PackedInt32Array = []
 var _device: RenderingDevice = null
 var _shader: RID = RID()
 var _pipeline: RID = RID()
@@ -36,11 +38,11 @@ var _sampler: RID = RID()
 var _sums: RID = RID()
 
 
-func _init() -> void:
+func _init(p_shader: String = _SHADER) -> void:
 	effect_callback_type = EFFECT_CALLBACK_TYPE_POST_TRANSPARENT
 	_device = RenderingServer.get_rendering_device()
 	var source: RDShaderSource = RDShaderSource.new()
-	source.source_compute = _SHADER
+	source.source_compute = p_shader
 	var code: RDShaderSPIRV = _device.shader_compile_spirv_from_source(source)
 	_shader = _device.shader_create_from_spirv(code)
 	_pipeline = _device.compute_pipeline_create(_shader)
@@ -79,6 +81,7 @@ func _read(p_picture: RID) -> Vector2:
 	_device.compute_list_end()
 	var bytes: PackedByteArray = _device.buffer_get_data(_sums)
 	_device.free_rid(uniforms)
+	_added = bytes.to_int32_array()
 	var weight: float = bytes.decode_u32(0)
 	if weight == 0.0:
 		return Vector2(NAN, NAN)
