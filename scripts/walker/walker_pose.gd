@@ -43,16 +43,21 @@ func restart(p_mover: WalkerMover) -> void:
 
 
 ## The pose after a tick, in the world: its root is where the hips are, m. A mover that was put
-## elsewhere, by an offset, does not make it step: it stays that far from the mover.
+## elsewhere, by an offset, does not make it step: it stays that far from the mover. A drift, m/s,
+## does: so much faster it goes.
 func advance(
-	p_mover: WalkerMover, p_input: WalkerInput, p_delta_s: float, p_offset: Vector3 = Vector3.ZERO
+	p_mover: WalkerMover,
+	p_input: WalkerInput,
+	p_delta_s: float,
+	p_offset: Vector3 = Vector3.ZERO,
+	p_drift: Vector3 = Vector3.ZERO
 ) -> PoseSample:
 	_matcher.advance(
 		p_delta_s,
 		p_mover.get_position() - p_offset + Vector3.DOWN * p_mover.get_lift(),
-		p_mover.get_velocity(),
+		p_mover.get_velocity() + p_drift,
 		p_mover.get_heading(),
-		Vector3(p_input.wish.x, 0.0, p_input.wish.y),
+		Vector3(p_input.wish.x, 0.0, p_input.wish.y) + p_drift,
 		p_input.heading,
 		stance_of(p_mover),
 		p_mover.is_grounded()

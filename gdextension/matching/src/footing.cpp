@@ -42,10 +42,18 @@ void Footing::_lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) cons
 	r_foot.length = p_is_forced ? STEP_S : LIFT_S;
 }
 
+bool Footing::_is_out_of_reach(const Goals &p_goals, std::size_t p_side) const {
+	const FootGoal &goal = p_goals.feet[p_side];
+	const Foot &foot = _feet[p_side];
+	Vec3 ankle = foot.place - turn_of(wrapped(foot.heading - facing_of(goal.foot))).rotate(goal.foot.rotate(p_goals.ball));
+	ankle.y += goal.ground + foot.height - foot.place.y;
+	return (ankle - p_goals.hip_joints[p_side]).length() > p_goals.leg;
+}
+
 bool Footing::_must_step(const Goals &p_goals, std::size_t p_side, float p_size) const {
 	const Foot &foot = _feet[p_side];
 	const FootGoal &goal = p_goals.feet[p_side];
-	if (apart(foot.place - goal.foot.rotate(p_goals.ball), p_goals.hip_joints[p_side]) > p_goals.reach) {
+	if (_is_out_of_reach(p_goals, p_side)) {
 		return true;
 	}
 	const float far = apart(foot.place, goal.ball) / (p_size * (p_goals.is_walking ? WALKING_APART : STANDING_APART));
@@ -117,7 +125,8 @@ void Footing::advance(float p_delta, float p_size, Goals &r_goals) {
 			foot.time = LIFT_S;
 			foot.height = std::max(goal.ball.y - goal.ground, 0.0f);
 		}
-		if (foot.is_planted && (!goals.is_grounded || (!goal.stands && goals.is_walking))) {
+		const bool is_late = goals.is_walking && (!goal.stands || _is_out_of_reach(goals, side));
+		if (foot.is_planted && (!goals.is_grounded || is_late)) {
 			_lift(goal, false, foot);
 		} else if (foot.is_planted && _must_step(goals, side, p_size)) {
 			_lift(goal, true, foot);

@@ -21,7 +21,7 @@ public:
 	struct Goals {
 		std::array<FootGoal, 2> feet{};
 		std::array<Vec3, 2> hip_joints{}; ///< Where the legs begin, in the world, m.
-		float reach = 1.0f; ///< How far from there an ankle can be along the ground, m.
+		float leg = 1.0f; ///< How far from there an ankle can be, m.
 		Vec3 ball; ///< From the ankle, in the foot's axes in the reset pose, m.
 		Vec3 heel; ///< From the ball, in the foot's axes in the reset pose, m.
 		Vec3 velocity; ///< Of the person, m/s.
@@ -52,6 +52,7 @@ private:
 
 	static void _clear(float p_delta, const Goals &p_goals, Foot &r_foot, FootGoal &r_goal);
 	void _lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) const;
+	bool _is_out_of_reach(const Goals &p_goals, std::size_t p_side) const;
 	bool _must_step(const Goals &p_goals, std::size_t p_side, float p_size) const;
 	void _swing(const Goals &p_goals, float p_delta, float p_size, std::size_t p_side, FootGoal &r_goal);
 

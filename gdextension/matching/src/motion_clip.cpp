@@ -2,8 +2,25 @@
 #include "motion_clip.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace matching {
+
+void level_feet(Clip &r_clip) {
+	for (std::size_t side = 0; side < 2; side++) {
+		Vec3 up;
+		for (const ClipFrame &frame : r_clip.frames) {
+			if (((frame.contacts >> side) & 1U) != 0) {
+				up = up + frame.pose.limbs[foot_of(side)].inverse().rotate({ 0.0f, 1.0f, 0.0f });
+			}
+		}
+		const Quat roll = exp({ 0.0f, 0.0f, -std::atan2(up.x, up.y) });
+		for (ClipFrame &frame : r_clip.frames) {
+			Quat &foot = frame.pose.limbs[foot_of(side)];
+			foot = foot * roll;
+		}
+	}
+}
 
 Clip mirror(const Clip &p_clip) {
 	Clip result = p_clip;

@@ -40,6 +40,9 @@ struct Clip {
 	std::vector<ClipFrame> frames;
 };
 
+/// Turns the feet about their length so that those that stand are level: the rest pose of many recordings has the legs
+/// apart, and their feet stand on an edge in any other body.
+void level_feet(Clip &r_clip);
 /// A clip as seen in a mirror.
 Clip mirror(const Clip &p_clip);
 /// A clip backwards in time: who walks forward walks backwards.

@@ -16,6 +16,11 @@ constexpr float CHANGED_SPEED = 0.4f;
 constexpr float CHANGED_HEADING = 0.5f;
 /// How fast a mover gets to what it wishes, s.
 constexpr float ANSWER_S = 0.1f;
+/// Froude numbers (speed squared by gravity and the hips' height) from which on somebody runs, and below which he
+/// walks again: people change over at 0.5 (Kram, Domingo, Ferris 1997), as legs of a length cannot walk faster.
+constexpr float RUNS_FROM = 0.48f;
+constexpr float WALKS_FROM = 0.36f;
+constexpr float GRAVITY = 9.81f;
 /// Slower than this a mover has no direction, m/s.
 constexpr float SLOWEST = 0.1f;
 constexpr float SLOWEST_RATE = 0.8f;
@@ -24,8 +29,11 @@ constexpr float MAX_STRIDE = 1.7f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
 constexpr float HIPS_SHARE = 0.45f;
 constexpr float MAX_HIPS = 0.7f;
-/// How far the hips are lowered at most for a foot that stands far away, heights of the hips.
-constexpr float MAX_DROP = 0.2f;
+/// How far the hips are lowered at most for a foot that stands far away, heights of the hips, of who walks and of who
+/// stands; and how fast, heights a second. A body that follows deeper and faster dips jumps up out of them.
+constexpr float WALKING_DROP = 0.05f;
+constexpr float STANDING_DROP = 0.2f;
+constexpr float DROP_SPEED = 1.0f;
 /// Lean for an acceleration, rad for each m/s², and its most, rad.
 constexpr float LEAN = 0.022f;
 constexpr float MAX_LEAN = 0.14f;
@@ -104,8 +112,10 @@ Way MotionMatcher::_predict(const Wish &p_wish) const {
 }
 
 bool MotionMatcher::_is_search_due(float p_delta, const Wish &p_wish) {
+	const bool ran = _runs;
+	_choose_gait(horizontal(p_wish.velocity));
 	_until_search -= p_delta;
-	const bool is_changed = (p_wish.wished_velocity - _searched_velocity).length() > CHANGED_SPEED ||
+	const bool is_changed = ran != _runs || (p_wish.wished_velocity - _searched_velocity).length() > CHANGED_SPEED ||
 			std::fabs(wrapped(p_wish.wished_heading - _searched_heading)) > CHANGED_HEADING ||
 			p_wish.stance != _searched_stance;
 	if (_until_search > 0.0f && !is_changed) {
@@ -116,6 +126,11 @@ bool MotionMatcher::_is_search_due(float p_delta, const Wish &p_wish) {
 	_searched_heading = p_wish.wished_heading;
 	_searched_stance = p_wish.stance;
 	return true;
+}
+
+void MotionMatcher::_choose_gait(float p_speed) {
+	const float froude = p_speed * p_speed / (GRAVITY * _body.hip_height);
+	_runs = froude > (_runs ? WALKS_FROM : RUNS_FROM);
 }
 
 float MotionMatcher::_rate(const Wish &p_wish) const {
@@ -252,6 +267,10 @@ Pose MotionMatcher::_in_world(const Pose &p_pose) const {
 	return pose;
 }
 
+float MotionMatcher::_most_drop() const {
+	return (_player.entry(*_set).stands ? STANDING_DROP : WALKING_DROP) * _body.hip_height;
+}
+
 void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankles, Pose &r_pose) {
 	float needed = 0.0f;
 	for (std::size_t side = 0; side < 2; side++) {
@@ -263,9 +282,9 @@ void MotionMatcher::_lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankl
 			needed = std::max(needed, joint.y - p_ankles[side].y - height);
 		}
 	}
-	// Down at once, as a foot that stands would slip; up slowly.
 	const float up = std::exp2(-p_delta / 0.08f);
-	_drop = std::max(std::min(needed, MAX_DROP * _body.hip_height), _drop * up);
+	const float down = _drop + DROP_SPEED * _body.hip_height * p_delta;
+	_drop = std::max(std::min(needed, std::min(_most_drop(), down)), _drop * up);
 	r_pose.hips.y -= _drop;
 }
 
@@ -273,8 +292,7 @@ void MotionMatcher::_put_on_feet(float p_delta, const Wish &p_wish, const Player
 	Footing::Goals goals;
 	goals.ball = _body.ball();
 	goals.heel = _body.heel() - _body.ball();
-	const float lowest = (1.0f - MAX_DROP) * _body.hip_height - _body.ankle_height;
-	goals.reach = std::sqrt(std::max(_body.leg() * _body.leg() - lowest * lowest, 0.04f));
+	goals.leg = _body.leg() + _most_drop();
 	goals.velocity = p_wish.velocity;
 	goals.is_walking = !_player.entry(*_set).stands;
 	goals.is_grounded = p_wish.is_grounded && _made_share <= 0.0f;
@@ -335,7 +353,7 @@ void MotionMatcher::advance(float p_delta, const Wish &p_wish) {
 	const bool goes_on = _player.advance(*_set, p_delta, _rate(p_wish));
 	if (_is_search_due(p_delta, p_wish) || !goes_on) {
 		_searches++;
-		is_other = _player.search(*_set, _predict(p_wish), p_wish.stance);
+		is_other = _player.search(*_set, _predict(p_wish), p_wish.stance, _runs);
 	}
 	const Player::Sample sample = _player.sample(*_set);
 	const Warp warp = _warp(p_wish, sample);

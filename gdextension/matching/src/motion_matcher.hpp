@@ -70,6 +70,7 @@ private:
 
 	Way _predict(const Wish &p_wish) const;
 	bool _is_search_due(float p_delta, const Wish &p_wish);
+	void _choose_gait(float p_speed);
 	float _rate(const Wish &p_wish) const;
 	Warp _warp(const Wish &p_wish, const Player::Sample &p_sample) const;
 	Pose _changed(const Player::Sample &p_sample, const Warp &p_warp) const;
@@ -77,6 +78,7 @@ private:
 	void _breathe(float p_delta, Pose &r_pose);
 	Pose _made(const Wish &p_wish, const Pose &p_from, Stance p_stance) const;
 	void _put_on_feet(float p_delta, const Wish &p_wish, const Player::Sample &p_sample, Pose &r_pose);
+	float _most_drop() const;
 	void _lower_hips(float p_delta, const std::array<Vec3, 2> &p_ankles, Pose &r_pose);
 	void _keep_above_ground(const Wish &p_wish, Pose &r_pose) const;
 	void _advance_stances(float p_delta, const Wish &p_wish);
@@ -94,6 +96,7 @@ private:
 	Vec3 _searched_velocity; ///< What was wished when it was last searched.
 	float _searched_heading = 0.0f;
 	Stance _searched_stance = STAND;
+	bool _runs = false;
 	float _until_search = 0.0f;
 	float _blocked_s = 0.0f; ///< For how long the mover has not moved though it wanted to.
 	float _time = 0.0f;

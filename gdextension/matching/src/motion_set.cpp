@@ -12,6 +12,8 @@ namespace {
 constexpr float SECTOR = PI / 4.0f;
 /// Faster than this nobody is reversed, heights of the hips a second: a run backwards looks like none.
 constexpr float FASTEST_REVERSED = 1.9f;
+/// Who runs has a foot on the ground for less than half of a stride, with some doubt about contacts.
+constexpr float RUNNING_SHARE = 0.4f;
 
 bool goes_back(const MotionSet::Entry &p_entry) {
 	return !p_entry.stands && std::fabs(p_entry.travel) > 0.625f * PI;
@@ -22,6 +24,7 @@ bool goes_back(const MotionSet::Entry &p_entry) {
 MotionSet::MotionSet(std::vector<Clip> p_recorded) : _recorded(std::move(p_recorded)) {
 	for (std::size_t i = 0; i < _recorded.size(); i++) {
 		if (!_recorded[i].frames.empty()) {
+			level_feet(_recorded[i]);
 			_add(_recorded[i], int(i));
 			_add(mirror(_recorded[i]), int(i));
 		}
@@ -42,16 +45,19 @@ void MotionSet::_add(Clip p_clip, int p_recorded) {
 	entry.recorded = p_recorded;
 	float x = 0.0f;
 	float z = 0.0f;
+	float on_ground = 0.0f;
 	for (const ClipFrame &frame : p_clip.frames) {
 		x += frame.velocity_x;
 		z += frame.velocity_z;
 		for (std::size_t side = 0; side < 2; side++) {
 			entry.rests[side] = entry.rests[side] + frame.pose.ankles[side];
+			on_ground += ((frame.contacts >> side) & 1U) != 0 ? 0.5f : 0.0f;
 		}
 	}
 	const float count = float(p_clip.frames.size());
 	entry.speed = std::hypot(x, z) / count;
 	entry.stands = entry.speed < STANDING_SPEED;
+	entry.runs = !entry.stands && p_clip.stance == STAND && on_ground < RUNNING_SHARE * count;
 	entry.travel = entry.stands ? 0.0f : std::atan2(x, z);
 	for (Vec3 &rest : entry.rests) {
 		rest = rest * (1.0f / count);
@@ -63,7 +69,7 @@ void MotionSet::_add(Clip p_clip, int p_recorded) {
 void MotionSet::_sort_into_families() {
 	const auto sector = [](const Entry &p_entry) { return int(std::lround(p_entry.travel / SECTOR)) & 7; };
 	const auto key = [&](const Entry &p_entry) {
-		return int(p_entry.clip.stance) * 16 + (p_entry.stands ? 8 : sector(p_entry));
+		return int(p_entry.clip.stance) * 32 + (p_entry.stands ? 16 : 8 * int(p_entry.runs) + sector(p_entry));
 	};
 	std::stable_sort(
 			_entries.begin(), _entries.end(), [&](const Entry &p_a, const Entry &p_b) { return key(p_a) < key(p_b); });
@@ -74,7 +80,7 @@ void MotionSet::_sort_into_families() {
 		if (i == 0 || key(entry) != key(_entries[i - 1])) {
 			const int start = int(rows.size());
 			const float travel = entry.stands ? 0.0f : wrapped(float(sector(entry)) * SECTOR);
-			_families.push_back({ entry.clip.stance, entry.stands, travel, start, start });
+			_families.push_back({ entry.clip.stance, entry.stands, entry.runs, travel, start, start });
 		}
 		entry.family = int(_families.size()) - 1;
 		const int frames = int(entry.clip.frames.size());
@@ -101,6 +107,12 @@ int MotionSet::row_of(const Place &p_place) const {
 bool MotionSet::has(Stance p_stance) const {
 	return std::any_of(
 			_families.begin(), _families.end(), [&](const Family &p_family) { return p_family.stance == p_stance; });
+}
+
+bool MotionSet::has_gait(Stance p_stance, bool p_runs) const {
+	return std::any_of(_families.begin(), _families.end(), [&](const Family &p_family) {
+		return p_family.stance == p_stance && !p_family.stands && p_family.runs == p_runs;
+	});
 }
 
 bool MotionSet::has(Stance p_stance, bool p_stands) const {

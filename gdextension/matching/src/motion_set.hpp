@@ -20,12 +20,14 @@ public:
 		float speed = 0.0f; ///< Mean, heights of the hips a second.
 		float travel = 0.0f; ///< Angle from where the person faces to where he goes, rad.
 		bool stands = false;
+		bool runs = false; ///< Both feet are off the ground at times.
 		std::array<Vec3, 2> rests{}; ///< Where the ankles are on average.
 	};
 	/// Clips of one stance that go in about one direction: neighbours in the table.
 	struct Family {
 		Stance stance = STAND;
 		bool stands = false;
+		bool runs = false;
 		float travel = 0.0f; ///< As of an entry.
 		int first_row = 0;
 		int end_row = 0;
@@ -53,6 +55,8 @@ public:
 	bool has(Stance p_stance) const;
 	/// Whether there is somebody who stands, or goes, in a stance.
 	bool has(Stance p_stance, bool p_stands) const;
+	/// Whether there is somebody who runs, or walks, in a stance.
+	bool has_gait(Stance p_stance, bool p_runs) const;
 	/// Number of frames, with those that were made.
 	int frame_count() const;
 	/// The features of a frame, not scaled.

@@ -18,6 +18,8 @@ constexpr float GOING_ON = 0.35f;
 constexpr float SAME_FRAMES = 12.0f;
 /// Who goes less far in a second stands, heights of the hips: nobody who stands is shown walking, nor the other way.
 constexpr float MIN_WAY = 0.2f;
+/// What it costs to run where walking is meant, and the other way.
+constexpr float OTHER_GAIT_COST = 6.0f;
 
 } // namespace
 
@@ -30,7 +32,7 @@ void Player::reset(const MotionSet &p_set) {
 	}
 }
 
-bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
+bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance, bool p_runs) {
 	const Stance stance = p_set.has(p_stance) ? p_stance : STAND;
 	const MotionSet::Place now{ _entry, int(_frame) };
 	const int own_family = entry(p_set).family;
@@ -38,6 +40,7 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
 	const bool goes = std::hypot(p_way.x[2], p_way.z[2]) > MIN_WAY;
 	const float travel = std::atan2(p_way.x[2], p_way.z[2]);
 	const bool has_both = p_set.has(stance, false) && p_set.has(stance, true);
+	const bool has_gait = p_set.has_gait(stance, p_runs);
 	FeatureTable::Found best;
 	float own_cost = std::numeric_limits<float>::max();
 	for (std::size_t i = 0; i < p_set.families().size(); i++) {
@@ -52,7 +55,8 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance) {
 		Features row = current;
 		put_way(p_way, -turning, row);
 		p_set.table().scale(row);
-		const float extra = TURNING_COST * turning * turning;
+		const bool is_other_gait = !family.stands && has_gait && family.runs != p_runs;
+		const float extra = TURNING_COST * turning * turning + (is_other_gait ? OTHER_GAIT_COST : 0.0f);
 		if (int(i) == own_family) {
 			own_cost = p_set.table().cost(p_set.row_of(now), row) + extra;
 		}

@@ -18,8 +18,8 @@ public:
 
 	/// Begins with somebody who stands, where the set has one.
 	void reset(const MotionSet &p_set);
-	/// Looks for a better moment. Returns whether another one is played now.
-	bool search(const MotionSet &p_set, const Way &p_way, Stance p_stance);
+	/// Looks for a better moment of somebody who runs, or does not. Returns whether another one is played now.
+	bool search(const MotionSet &p_set, const Way &p_way, Stance p_stance, bool p_runs);
 	/// Goes on; faster or slower by a rate. Returns false at the end of a clip: a search is due.
 	bool advance(const MotionSet &p_set, float p_delta, float p_rate);
 	Sample sample(const MotionSet &p_set, float p_ahead_s = 0.0f) const;

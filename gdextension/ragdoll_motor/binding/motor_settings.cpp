@@ -17,6 +17,7 @@ void MotorSettings::apply(ragdoll::Driver &r_driver) const {
 	r_driver.root_settings.torque = float(root_torque);
 	ragdoll::BalanceSettings &balance = r_driver.get_balance().settings;
 	balance.residual = float(residual_share);
+	balance.leg_push = float(leg_push);
 	balance.torque = float(root_torque);
 	balance.standing_torque = std::min(float(standing_torque), float(root_torque));
 	r_driver.get_controller().settings.gain = float(gain);

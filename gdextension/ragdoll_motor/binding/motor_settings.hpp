@@ -15,6 +15,7 @@ struct MotorSettings {
 	double root_force = 2000.0; ///< N
 	double residual_share = 0.06;
 	double standing_torque = 240.0; ///< N m
+	double leg_push = 0.0; ///< m
 	double root_torque = 800.0; ///< N m
 	double inertia_scale = 6.0;
 	double arm_inertia_scale = 2.5;

@@ -291,6 +291,8 @@ void RagdollMotor::bind_properties() {
 	ClassDB::bind_method(D_METHOD("get_residual_share"), &RagdollMotor::get_residual_share);
 	ClassDB::bind_method(D_METHOD("set_standing_torque", "torque"), &RagdollMotor::set_standing_torque);
 	ClassDB::bind_method(D_METHOD("get_standing_torque"), &RagdollMotor::get_standing_torque);
+	ClassDB::bind_method(D_METHOD("set_leg_push", "push"), &RagdollMotor::set_leg_push);
+	ClassDB::bind_method(D_METHOD("get_leg_push"), &RagdollMotor::get_leg_push);
 	ClassDB::bind_method(D_METHOD("set_inertia_scale", "scale"), &RagdollMotor::set_inertia_scale);
 	ClassDB::bind_method(D_METHOD("get_inertia_scale"), &RagdollMotor::get_inertia_scale);
 	ClassDB::bind_method(D_METHOD("set_arm_inertia_scale", "scale"), &RagdollMotor::set_arm_inertia_scale);
@@ -377,6 +379,8 @@ void RagdollMotor::_bind_methods() {
 			"get_residual_share");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "standing_torque", PROPERTY_HINT_RANGE, "0,5000,10,suffix:Nm"),
 			"set_standing_torque", "get_standing_torque");
+	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "leg_push", PROPERTY_HINT_RANGE, "0,0.2,0.001,suffix:m"), "set_leg_push",
+			"get_leg_push");
 	ADD_PROPERTY(PropertyInfo(Variant::INT, "ground_mask", PROPERTY_HINT_LAYERS_3D_PHYSICS), "set_ground_mask",
 			"get_ground_mask");
 	ADD_PROPERTY(PropertyInfo(Variant::FLOAT, "max_energy", PROPERTY_HINT_RANGE, "1,1000,1,suffix:J/kg"),

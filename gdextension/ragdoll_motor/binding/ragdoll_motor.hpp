@@ -143,6 +143,8 @@ public:
 	double get_residual_share() const { return _settings.residual_share; }
 	void set_standing_torque(double p_torque) { change_amount(_settings.standing_torque, p_torque, "a torque"); }
 	double get_standing_torque() const { return _settings.standing_torque; }
+	void set_leg_push(double p_push) { change_amount(_settings.leg_push, p_push, "a length"); }
+	double get_leg_push() const { return _settings.leg_push; }
 	void set_root_torque(double p_torque) { change_amount(_settings.root_torque, p_torque, "a torque"); }
 	double get_root_torque() const { return _settings.root_torque; }
 	void set_inertia_scale(double p_scale) { change_scale(_settings.inertia_scale, p_scale); }

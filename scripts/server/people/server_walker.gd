@@ -9,6 +9,9 @@ extends RefCounted
 
 ## How far the body may be held back from the walker, m: beyond that the walker waits for it.
 const MAX_TETHER_M: float = 0.5
+## How much longer than it is a standing leg of the body is to be at most, m
+## ([member RagdollMotor.leg_push]).
+const LEG_PUSH: float = 0.01
 ## Speed with which the motion comes to where a walker was put, m/s.
 const GLIDE: float = 5.0
 ## Time without an input after which the walker stands still, s.
@@ -23,6 +26,7 @@ var inputs: int = 0
 var corrections: int = 0
 
 var _pose: WalkerPose = WalkerPose.new()
+var _lead: WalkerLead = WalkerLead.new()
 var _input: WalkerInput = WalkerInput.new()
 var _is_fresh: bool = false
 var _silent_s: float = 0.0
@@ -39,6 +43,7 @@ var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
 func _init(p_person: ServerPerson) -> void:
 	person = p_person
 	_root_mode = person.ragdoll.motor.root_mode
+	person.ragdoll.motor.leg_push = LEG_PUSH
 	_pose.set_body(person.ragdoll.get_hip_height(), person.joints)
 	var frame: Transform3D = person.ragdoll.motor.get_frame()
 	mover.place(frame * person.origin, frame.basis.get_euler().y)
@@ -86,12 +91,12 @@ func _follow_body() -> void:
 	)
 	if is_down:
 		mover.follow_body(_feet(), mover.get_heading())
+		_lead.clear()
 	elif mover.get_mode() == WalkerMover.BODY:
 		mover.place(_feet(), mover.get_heading())
 		_pose.restart(mover)
 	elif mover.get_mode() == WalkerMover.WALK:
-		var behind: Vector3 = person.hips() - _hips
-		behind.y = 0.0
+		var behind: Vector3 = _find_off()
 		if behind.length() > MAX_TETHER_M:
 			mover.push(behind.limit_length(behind.length() - MAX_TETHER_M))
 	if person.sitting != null:
@@ -99,6 +104,13 @@ func _follow_body() -> void:
 	# Hands climb where feet find nothing.
 	var is_climbing: bool = mover.get_mode() in [WalkerMover.VAULT, WalkerMover.LADDER]
 	motor.root_mode = RagdollMotor.ROOT_SOFT if is_climbing else _root_mode
+
+
+## From where the walker has the hips to where they are, level, m.
+func _find_off() -> Vector3:
+	var off: Vector3 = person.hips() - _hips + _lead.lead
+	off.y = 0.0
+	return off
 
 
 ## What is below the hips, m.
@@ -121,7 +133,12 @@ func _glide(r_sample: PoseSample, p_delta_s: float) -> void:
 
 ## Gives the body the pose of the tick's end, in the person's own frame.
 func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
-	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s)
+	if mover.get_mode() == WalkerMover.WALK and mover.get_velocity().length() > 0.2:
+		_lead.advance(_find_off(), p_delta_s)
+	else:
+		_lead.velocity = Vector3.ZERO
+	var lead: Vector3 = _lead.lead
+	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s, -lead, _lead.velocity)
 	_glide(sample, p_delta_s)
 	_hips = sample.root
 	sample.id = inputs & 0xFFFFFFFF

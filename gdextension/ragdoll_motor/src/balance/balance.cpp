@@ -274,6 +274,10 @@ void Balance::give_way(const Rig &p_rig, const RigState &p_state, Foot &r_foot) 
 	const Vec3 is = r_foot.shown - p_rig.joint_of(p_state, thigh);
 	const Vec3 meant = r_foot.wanted - _joints_now[thigh] + find_away(r_foot);
 	r_foot.give = _loose.find_give(settings.loose, is, meant);
+	if (settings.leg_push > 0.0f && !r_foot.is_up()) {
+		const float longest = is.length() + settings.leg_push;
+		r_foot.give = meant.length() > longest ? meant * (longest / meant.length() - 1.0f) : r_foot.give;
+	}
 }
 
 void Balance::push(const Rig &p_rig, const BalanceInput &p_input) {
