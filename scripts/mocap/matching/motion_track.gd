@@ -3,12 +3,15 @@ extends RefCounted
 ## An uninterrupted stretch of somebody's motion, 60 frames a second, and what is done in each
 ## frame: how fast, whither and how the body is held.
 ##
-## A frame's label needs what comes a quarter of a second later: the newest frames have none yet.
+## A frame's label needs what comes half a second later: the newest frames have none yet.
 
 ## Frames a second.
 const RATE: float = 60.0
 ## Frames before and after one from which its speed is found.
 const REACH: int = 15
+## Frames before and after one from which its turn is found: about a stride, in which the chest turns
+## to and fro.
+const TURN_REACH: int = 30
 ## Slower than this somebody stands, heights of the hips a second, and turns by less, rad/s.
 const STILL_SPEED: float = 0.2
 const STILL_TURN: float = 0.4
@@ -50,12 +53,8 @@ func add(p_pose: PoseSample) -> void:
 	if not _headings.is_empty():
 		heading = _headings[-1] + angle_difference(_headings[-1], heading)
 	_headings.append(heading)
-	if hips.size() == 2 * REACH + 1:
-		# The first frames have no past: they go as the first one that has.
-		for _frame: int in REACH:
-			_label(REACH)
-	if hips.size() > 2 * REACH:
-		_label(hips.size() - 1 - REACH)
+	if hips.size() > TURN_REACH:
+		_label(hips.size() - 1 - TURN_REACH)
 
 
 ## How many frames there are.
@@ -146,16 +145,22 @@ func _count_starts(p_stance: int) -> float:
 
 
 func _label(p_frame: int) -> void:
-	var first: int = p_frame - REACH
+	var first: int = maxi(p_frame - REACH, 0)
 	var last: int = p_frame + REACH
-	var seconds: float = 2.0 * REACH / RATE
+	var frames: float = last - first + 1
 	var way: Vector3 = hips[last] - hips[first]
-	var heading: float = (_headings[first] + _headings[p_frame] + _headings[last]) / 3.0
-	speeds.append(Vector2(way.x, way.z).length() / seconds / hip_height)
+	# Of a whole step: hips of who runs go up and down, and the chest turns to and fro.
+	var height: float = 0.0
+	var heading: float = 0.0
+	for frame: int in range(first, last + 1):
+		height += hips[frame].y / frames
+		heading += _headings[frame] / frames
+	speeds.append(Vector2(way.x, way.z).length() * RATE / (last - first) / hip_height)
 	directions.append(angle_difference(heading, atan2(way.x, way.z)))
-	turns.append((_headings[last] - _headings[first]) / seconds)
-	var height: float = hips[p_frame].y / hip_height
+	first = maxi(p_frame - TURN_REACH, 0)
+	last = p_frame + TURN_REACH
+	turns.append((_headings[last] - _headings[first]) * RATE / (last - first))
 	var stance: int = MotionMatcher.STAND
-	if height < CROUCHED:
-		stance = MotionMatcher.PRONE if height < LYING else MotionMatcher.CROUCH
+	if height < CROUCHED * hip_height:
+		stance = MotionMatcher.PRONE if height < LYING * hip_height else MotionMatcher.CROUCH
 	stances.append(stance)

@@ -17,13 +17,16 @@ var _frames: int = 0
 var _rows: PackedStringArray = PackedStringArray()
 
 
-## Takes the wearer's size: the height of the hips, m, and lengths as of
+## Takes the wearer's size, the height of the hips, m, and lengths as of
 ## [method MotionSource.get_limb_lengths].
-func _init(p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
-	var size: BodySize = BodySize.of_hip_height(p_hip_height)
+func _init(p_size: BodySize, p_hip_height: float, p_lengths: PackedFloat32Array) -> void:
+	var size: BodySize = p_size.duplicate()
 	size.measure(&"hip_height", p_hip_height)
 	_joints = size.joints()
 	_tails = size.tails()
+	for foot: int in Limbs.FEET:
+		# The ground is known by the lowest point.
+		_tails[foot].y = 0.0
 	if p_lengths.size() == Limbs.COUNT:
 		_fit_legs(p_hip_height, p_lengths)
 
