@@ -16,13 +16,6 @@ var _stop: StopSignal = StopSignal.new()
 var _fault: String = ""
 
 
-func _initialize() -> void:
-	_fault = _begin()
-	if _fault != "":
-		printerr("motion-set record: " + _fault)
-		quit(2)
-
-
 func _process(_delta: float) -> bool:
 	if _fault != "" or _session == null:
 		return true
@@ -36,6 +29,13 @@ func _process(_delta: float) -> bool:
 		printerr("motion-set record: " + _fault)
 	quit(0 if _fault == "" else 2)
 	return true
+
+
+func _initialize() -> void:
+	_fault = _begin()
+	if _fault != "":
+		printerr("motion-set record: " + _fault)
+		quit(2)
 
 
 func _begin() -> String:

@@ -4,11 +4,11 @@ extends RefCounted
 ## one who was to go left and went ahead has gone ahead.
 
 ## Shortest and longest clip, s; of still ones, the shortest.
-const SHORTEST_S: float = 1.0
-const LONGEST_S: float = 4.0
-const SHORTEST_STILL_S: float = 0.6
-## The most of a kind, s: more of the same only makes searches longer.
-const MOST_S: float = 10.0
+const MIN_S: float = 1.0
+const MAX_S: float = 4.0
+const MIN_STILL_S: float = 0.6
+## Maximum of a kind, s: more of the same only makes searches longer.
+const KIND_S: float = 10.0
 ## What is cut before and after a start or a stop, s.
 const BEFORE_S: float = 0.5
 const AFTER_S: float = 1.5
@@ -59,7 +59,7 @@ static func cut(p_tracks: Array[MotionTrack]) -> Array[MotionSetTable.Row]:
 	var kept: Array[int] = []
 	for at: int in order:
 		var seconds: float = (pieces[at].end - pieces[at].first) / MotionTrack.RATE
-		if sums.get(pieces[at].kind, 0.0) + seconds <= MOST_S:
+		if sums.get(pieces[at].kind, 0.0) + seconds <= KIND_S:
 			sums[pieces[at].kind] = sums.get(pieces[at].kind, 0.0) + seconds
 			kept.append(at)
 	kept.sort()
@@ -86,7 +86,7 @@ static func _cut_runs(p_track: MotionTrack) -> Array[Piece]:
 	for frame: int in range(1, p_track.labelled() + 1):
 		if frame < p_track.labelled() and _doing(p_track, frame) == _doing(p_track, first):
 			continue
-		var least: float = SHORTEST_STILL_S if p_track.is_still(first) else SHORTEST_S
+		var least: float = MIN_STILL_S if p_track.is_still(first) else MIN_S
 		var doing: int = _doing(p_track, first)
 		if doing >= 0 and frame - first >= least * MotionTrack.RATE:
 			pieces.append_array(_split(p_track, first, frame))
@@ -112,7 +112,7 @@ static func _doing(p_track: MotionTrack, p_frame: int) -> int:
 
 
 static func _split(p_track: MotionTrack, p_first: int, p_end: int) -> Array[Piece]:
-	var count: int = ceili((p_end - p_first) / (LONGEST_S * MotionTrack.RATE))
+	var count: int = ceili((p_end - p_first) / (MAX_S * MotionTrack.RATE))
 	var pieces: Array[Piece] = []
 	for part: int in count:
 		var piece: Piece = Piece.new()

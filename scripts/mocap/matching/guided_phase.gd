@@ -33,7 +33,7 @@ const READY_S: float = 3.0
 const REPEATS: int = 2
 
 ## Of each phase: name, what is counted, how much of it, the longest time of an attempt (s), slowest
-## and fastest (heights of the hips a second), stance, and what the wearer is told.
+## and fastest (heights of the hips a second), stance, and the words for the wearer.
 const ROWS: Array[Array] = [
 	["stand", Want.STILL, 4.0, 12.0, 0.0, 9.0, MotionMatcher.STAND, "Stand at ease, look ahead"],
 	[
@@ -129,7 +129,7 @@ var slowest: float = 0.0
 var fastest: float = 0.0
 ## How the body is held: one of [enum MotionMatcher.Stance].
 var stance: MotionMatcher.Stance = MotionMatcher.STAND
-## What the wearer is told.
+## The words for the wearer: what to do.
 var words: String = ""
 
 

@@ -27,7 +27,7 @@ enum State {
 	DONE,
 }
 
-## So many frames that are missing are filled, by what lies between their neighbours.
+## Maximum of missing frames in a row that are filled, by what lies between their neighbours.
 const BRIDGED: int = 6
 ## A step of the hips, m, and a turn of a limb, rad, in a frame that are a jump where the step
 ## before was not a third of it.
@@ -43,7 +43,7 @@ class Take:
 
 	var phase: GuidedPhase = null
 	var tracks: Array[MotionTrack] = []
-	## Whether there was enough of it, so that it is used.
+	## Whether it is used: there was enough of it, or all ended in the midst of it.
 	var is_had: bool = false
 
 
@@ -131,9 +131,11 @@ func skip() -> void:
 		_conclude(false, "left out: " + phase().name)
 
 
-## Ends it; what there is so far is kept.
+## Ends it; what there is so far is kept, that of an unfinished phase too.
 func finish() -> void:
 	_end_track()
+	if phase() != null and not takes.is_empty() and takes[-1].phase == phase():
+		takes[-1].is_had = true
 	state = State.DONE
 
 

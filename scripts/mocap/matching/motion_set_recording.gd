@@ -3,8 +3,8 @@ extends RefCounted
 ## What a [GuidedRecording] leaves on the disk: a folder with each stretch of motion as BVH, written
 ## while it comes, and the table of what is worth keeping; at the end the set.
 ##
-## The set is made of these files by [MotionSetBuilder]: [code]./run motion-set build[/code] with the
-## folder's table makes the same bytes again.
+## The set is made of these files by [MotionSetBuilder]: [code]./run motion-set build[/code] with
+## the folder's table makes the same bytes again.
 
 ## What is added to the set's name for the folder.
 const FOLDER: String = "-recording"
@@ -108,7 +108,9 @@ func _fill(r_builder: MotionSetBuilder, r_rows: Array[MotionSetTable.Row]) -> St
 		r_rows.append(row)
 		names.append("%s (%s)" % [row.name, MotionSetTable.STANCES.find_key(row.stance)])
 	if not names.is_empty():
-		notes.append("Taken from the shipped set, as you have nothing like them: %s." % ", ".join(names))
+		notes.append(
+			"Taken from the shipped set, as you have nothing like them: %s." % ", ".join(names)
+		)
 	return ""
 
 

@@ -9,13 +9,13 @@ extends RefCounted
 const RATE: float = 60.0
 ## Frames before and after one from which its speed is found.
 const REACH: int = 15
-## Frames before and after one from which its turn is found: about a stride, in which the chest turns
-## to and fro.
+## Frames before and after one from which its turn is found: about a stride, in which the chest
+## turns to and fro.
 const TURN_REACH: int = 30
-## Slower than this somebody stands, heights of the hips a second, and turns by less, rad/s.
+## Speed below which somebody stands, heights of the hips a second, and turn, rad/s.
 const STILL_SPEED: float = 0.2
 const STILL_TURN: float = 0.4
-## Faster than this somebody goes, heights of the hips a second.
+## Speed above which somebody goes, heights of the hips a second.
 const GOING_SPEED: float = 0.3
 ## Turns of who goes in a curve, rad/s; who turns faster turns round.
 const CURVE_TURN: Vector2 = Vector2(0.35, 1.75)
