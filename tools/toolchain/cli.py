@@ -69,7 +69,7 @@ def main(arguments: list[str]) -> int:
     if arguments[0] not in commands:
         # tools/help.sh names the nearest.
         raise Failure(f"There is no command '{arguments[0]}': see ./run --help.", 2)
-    if arguments[0] in CHECKED:
+    if arguments[0] in CHECKED and arguments[:2] != ["motion-set", "record"]:
         own = itertools.takewhile(lambda argument: argument != "--", arguments[1:])
         check_options(f"./run {arguments[0]}", own, help_texts.read(arguments[0]))
     return commands[arguments[0]](arguments[1:])
@@ -176,12 +176,32 @@ def _bvh(arguments: list[str]) -> int:
 
 def _motion_set(arguments: list[str]) -> int:
     """Makes motion sets, and says what is in one."""
+    if arguments[:1] == ["record"]:
+        _record(arguments[1:])
     words = [argument for argument in arguments if not argument.startswith("-")]
     options_given = normalise([argument for argument in arguments if argument.startswith("-")])
     files = [str(user_path(word)) for word in words[1:]]
     return _script(
         prepare(export=False), [], help_texts.MOTION_SET_TOOL, [*words[:1], *files, *options_given]
     )
+
+
+def _record(arguments: list[str]) -> NoReturn:
+    """Records a motion set from a wearer. The script knows its options itself, as a role does."""
+    if not arguments or arguments[0].startswith("-"):
+        raise Failure("usage: ./run motion-set record OUT --source=KIND[:ADDRESS] [options]", 2)
+    godot = prepare(export=False)
+    webcam.prepare(arguments[1:])
+    # Not the engine's own environment: calibrations are in the user's folder.
+    environment = {"PWD": str(user_path("")), webcam.VARIABLE: str(webcam.FOLDER)}
+    command = [str(godot.program), "--no-header", "--path", str(ROOT)]
+    if not real_display():
+        command.append("--headless")
+    command += ["-s", help_texts.MOTION_SET_RECORD, "--", *arguments]
+    sys.stdout.flush()
+    sys.stderr.flush()
+    # In our place: signals are the program's.
+    os.execve(command[0], command, {**os.environ, **environment})
 
 
 def _sender(arguments: list[str]) -> int:

@@ -21,6 +21,7 @@ FOLDER = ROOT / "tools" / "help"
 MOTION_SENDER = "res://scripts/emulation/motion_sender.gd"
 # Makes motion sets for walkers.
 MOTION_SET_TOOL = "res://scripts/mocap/matching/motion_set_tool.gd"
+MOTION_SET_RECORD = "res://scripts/client/suit/motion_set_record.gd"
 MAIN_FILE = ROOT / "tools" / "help.txt"
 # How the program marks where the text of a role begins: OptionsHelp.all_roles().
 _ROLE_MARK = "=== "
@@ -42,7 +43,7 @@ Motion capture without a suit
   ./run motion-sender       plays a motion file as MVN's stream, VMC, SlimeVR, a webcam and others
   ./run xbus-decode FILE    what a recording of a suit's bus holds
   ./run bvh FILE            what a motion file holds
-  ./run motion-set show FILE  what walkers move by; build makes a set of motion files
+  ./run motion-set show FILE  what walkers move by; build and record make sets
   ./run webcam --setup      what a webcam as a suit needs; --source=webcam does it by itself
 
 Vehicles
@@ -109,6 +110,16 @@ What walkers move by: a set of recorded clips, of which the moments are played t
                         ladder, vault, a TO_S of 0 is the file's end
   show FILE             prints clips, stances, seconds, speeds (heights of the hips a second),
                         directions and for how long feet stand
+  record OUT            leads somebody in a suit through a few minutes of standing, walking, turning
+                        and running, and makes a set of it; in words on the terminal, and in a
+                        window where there is a display (S leaves a phase out, Escape ends it). All
+                        of it is kept as motion files in OUT-recording, with the table for build
+
+  --source=KIND         whose motion is recorded; also --bvh, --xbus, --fuse, --person, --calibrate
+                        and all others about suits, as of ./run trainee
+  --skip=PHASE,...      phases that are left out: stand, walk, slow-walk, fast-walk, starts,
+                        turn-left, turn-right, curve-left, curve-right, back, left, right, run,
+                        crouch, crouched-walk
 
   --clips=FOLDER        where the motion files are (the folder of the table)
   --unit=U              unit of their lengths, as of ./run bvh (guessed)
@@ -117,7 +128,7 @@ Ours is made by: ./run motion-set build tools/assets/motion_set/walker.txt
 assets/motion/walker.motionset --clips=FOLDER --unit=cmu; tools/assets/motion_set says where its
 clips are from.
 
-Exit codes: 0 done, 2 the call is wrong or a file is.
+Exit codes: 0 done, 2 the call is wrong, a file is, or nothing was recorded that makes a set.
 """
 EDITOR = """./run editor
 

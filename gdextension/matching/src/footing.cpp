@@ -45,7 +45,8 @@ void Footing::_lift(const FootGoal &p_goal, bool p_is_forced, Foot &r_foot) cons
 bool Footing::_is_out_of_reach(const Goals &p_goals, std::size_t p_side) const {
 	const FootGoal &goal = p_goals.feet[p_side];
 	const Foot &foot = _feet[p_side];
-	Vec3 ankle = foot.place - turn_of(wrapped(foot.heading - facing_of(goal.foot))).rotate(goal.foot.rotate(p_goals.ball));
+	Vec3 ankle =
+			foot.place - turn_of(wrapped(foot.heading - facing_of(goal.foot))).rotate(goal.foot.rotate(p_goals.ball));
 	ankle.y += goal.ground + foot.height - foot.place.y;
 	return (ankle - p_goals.hip_joints[p_side]).length() > p_goals.leg;
 }

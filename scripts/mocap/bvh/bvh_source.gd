@@ -112,6 +112,14 @@ func pose_at(p_time_s: float) -> PoseSample:
 	return pose
 
 
+## Whether what is played at a moment (Unix time, µs) is nobody's motion: the end of the clip goes
+## over into its beginning.
+func is_at_seam(p_time_usec: int) -> bool:
+	var time: float = start_s + (p_time_usec - _begin_usec) / 1e6
+	var period: float = get_period()
+	return time >= period and fposmod(time, period) < get_length() - period
+
+
 func _read(p_time_usec: int) -> PoseSample:
 	if _begin_usec < 0:
 		_begin_usec = p_time_usec

@@ -38,6 +38,11 @@ class Row:
 	## What it is called in the set.
 	var name: String = ""
 
+	## The line.
+	func describe() -> String:
+		var parts: Array = [file, STANCES.find_key(stance), from_s, to_s, name]
+		return "%s %s %.3f %.3f %s" % parts
+
 
 ## The lines that are clips.
 var rows: Array[Row] = []
