@@ -22,7 +22,7 @@ constexpr float HURRY = 1.8f;
 constexpr float LANDING_SPEED = 2.0f;
 /// A foot that moves so fast along the ground, m/s, is so far above it, m.
 constexpr float CLEAR_SPEED = 0.6f;
-constexpr float CLEARANCE = 0.028f;
+constexpr float CLEARANCE = 0.05f;
 /// Lower than this a foot can land, m.
 constexpr float LANDING_HEIGHT = 0.03f;
 

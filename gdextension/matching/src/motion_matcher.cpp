@@ -18,14 +18,18 @@ constexpr float CHANGED_HEADING = 0.5f;
 constexpr float ANSWER_S = 0.1f;
 /// Froude numbers (speed squared by gravity and the hips' height) from which on somebody runs, and below which he
 /// walks again: people change over at 0.5 (Kram, Domingo, Ferris 1997), as legs of a length cannot walk faster.
-constexpr float RUNS_FROM = 0.48f;
-constexpr float WALKS_FROM = 0.36f;
+constexpr float RUNS_FROM = 0.45f;
+constexpr float WALKS_FROM = 0.3f;
 constexpr float GRAVITY = 9.81f;
 /// Slower than this a mover has no direction, m/s.
 constexpr float SLOWEST = 0.1f;
 constexpr float SLOWEST_RATE = 0.8f;
 constexpr float FASTEST_RATE = 1.2f;
 constexpr float MAX_STRIDE = 1.7f;
+/// Who goes sideways takes so many more steps, as legs that cross trip over each other, and keeps his feet so far
+/// apart, heights of the hips.
+constexpr float MORE_STEPS_ACROSS = 0.5f;
+constexpr float LEAST_APART = 0.1f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
 constexpr float HIPS_SHARE = 0.45f;
 constexpr float MAX_HIPS = 0.7f;
@@ -140,7 +144,12 @@ float MotionMatcher::_rate(const Wish &p_wish) const {
 	}
 	const float wished = _blocked_s > 0.25f ? 0.0f : horizontal(p_wish.wished_velocity);
 	const float speed = std::max(horizontal(p_wish.velocity), 0.8f * wished);
-	return std::clamp(std::sqrt(speed / (entry.speed * _body.hip_height)), SLOWEST_RATE, FASTEST_RATE);
+	const Vec3 way = turn_of(-p_wish.heading).rotate(speed > SLOWEST ? p_wish.velocity : p_wish.wished_velocity);
+	const float across =
+			horizontal(way) > SLOWEST ? std::fabs(std::sin(std::atan2(way.x, way.z) - entry.travel)) : 0.0f;
+	const float steps = 1.0f + MORE_STEPS_ACROSS * across;
+	const float rate = std::sqrt(speed / (entry.speed * _body.hip_height));
+	return std::clamp(rate, SLOWEST_RATE, FASTEST_RATE) * steps;
 }
 
 MotionMatcher::Warp MotionMatcher::_warp(const Wish &p_wish, const Player::Sample &p_sample) const {
@@ -174,7 +183,8 @@ Pose MotionMatcher::_changed(const Player::Sample &p_sample, const Warp &p_warp)
 		Vec3 rest = entry.rests[side];
 		Vec3 apart = turn.rotate(p_sample.pose.ankles[side] - rest) * p_warp.stride;
 		// Somebody who goes sideways stands wider.
-		rest.x *= 1.0f + 0.3f * across;
+		const float wide = 0.5f * LEAST_APART + across * entry.reach * p_warp.stride;
+		rest.x = std::copysign(std::max(std::fabs(rest.x), across * wide), rest.x);
 		const float above = p_sample.pose.ankles[side].y - entry.clip.ankle_height;
 		pose.ankles[side] = (rest + apart) * size;
 		pose.ankles[side].y = _body.ankle_height + above * size * lift;

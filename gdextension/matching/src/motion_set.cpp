@@ -62,6 +62,11 @@ void MotionSet::_add(Clip p_clip, int p_recorded) {
 	for (Vec3 &rest : entry.rests) {
 		rest = rest * (1.0f / count);
 	}
+	for (const ClipFrame &frame : p_clip.frames) {
+		for (std::size_t side = 0; side < 2; side++) {
+			entry.reach = std::max(entry.reach, std::fabs(frame.pose.ankles[side].z - entry.rests[side].z));
+		}
+	}
 	entry.clip = std::move(p_clip);
 	_entries.push_back(std::move(entry));
 }

@@ -21,7 +21,8 @@ public:
 		float travel = 0.0f; ///< Angle from where the person faces to where he goes, rad.
 		bool stands = false;
 		bool runs = false; ///< Both feet are off the ground at times.
-		std::array<Vec3, 2> rests{}; ///< Where the ankles are on average.
+		std::array<Vec3, 2> rests{}; ///< Where the ankles are on average,
+		float reach = 0.0f; ///< and how far from there they come along the way.
 	};
 	/// Clips of one stance that go in about one direction: neighbours in the table.
 	struct Family {

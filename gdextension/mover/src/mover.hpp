@@ -13,7 +13,7 @@ struct Ability {
 	float speed_back = 0.5f;
 	/// On the ground, to get faster and to brake, and in the air, m/s^2: more, and the body would not come after.
 	float acceleration = 3.5f;
-	float braking = 6.0f;
+	float braking = 4.0f;
 	float air_acceleration = 2.0f;
 	/// How fast the body turns to where it is to face, rad/s.
 	float turn_rate = 9.0f;

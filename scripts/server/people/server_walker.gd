@@ -133,10 +133,11 @@ func _glide(r_sample: PoseSample, p_delta_s: float) -> void:
 
 ## Gives the body the pose of the tick's end, in the person's own frame.
 func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
-	if mover.get_mode() == WalkerMover.WALK and mover.get_velocity().length() > 0.2:
-		_lead.advance(_find_off(), p_delta_s)
+	if mover.get_mode() == WalkerMover.WALK and mover.is_grounded():
+		var speed: float = mover.get_velocity().length()
+		_lead.advance(_find_off(), speed, _input.wish.is_zero_approx(), p_delta_s)
 	else:
-		_lead.velocity = Vector3.ZERO
+		_lead.rest()
 	var lead: Vector3 = _lead.lead
 	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s, -lead, _lead.velocity)
 	_glide(sample, p_delta_s)
