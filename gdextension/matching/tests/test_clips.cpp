@@ -94,3 +94,22 @@ TEST(the_nearest_row_is_that_of_a_plain_comparison) {
 		CHECK(table.nearest(row, 0, table.size(), 0.0f).row == -1);
 	}
 }
+
+TEST(feet_that_stand_on_an_edge_are_levelled) {
+	Clip tilted = walker_fixture::clip("walk", 1.4f);
+	const Clip level = tilted;
+	for (ClipFrame &frame : tilted.frames) {
+		for (std::size_t side = 0; side < 2; side++) {
+			Quat &foot = frame.pose.limbs[foot_of(side)];
+			foot = foot * kinematics::exp({ 0.0f, 0.0f, side == 0 ? 0.35f : -0.35f });
+		}
+	}
+	level_feet(tilted);
+	for (std::size_t i = 0; i < level.frames.size(); i += 13) {
+		for (std::size_t side = 0; side < 2; side++) {
+			const std::size_t foot = foot_of(side);
+			CHECK_NEAR(kinematics::angle_between(tilted.frames[i].pose.limbs[foot], level.frames[i].pose.limbs[foot]),
+					0.0, 1e-3);
+		}
+	}
+}

@@ -208,3 +208,28 @@ TEST(feet_stand_on_ground_that_is_given) {
 	CHECK_NEAR(ball(made, 0).y, 0.12, 0.01);
 	CHECK_NEAR(ball(made, 1).y, 0.0, 0.01);
 }
+
+TEST(who_goes_sideways_does_not_cross_his_legs) {
+	MotionMatcher made = matcher();
+	Mover mover;
+	mover.want(1.0f, 0.5f * PI);
+	for (int i = 0; i < 360; i++) {
+		mover.advance(DELTA);
+		made.advance(DELTA, mover.wish);
+		// He faces +Z, so that his left is +X.
+		CHECK(i < 120 || ball(made, 0).x - ball(made, 1).x > 0.0f);
+	}
+}
+
+TEST(hips_do_not_drop_at_once) {
+	MotionMatcher made = matcher();
+	Mover mover;
+	float last = made.pose().hips.y;
+	for (int i = 0; i < 600; i++) {
+		mover.want(i < 300 ? 1.9f : 2.6f, 0.0f);
+		mover.advance(DELTA);
+		made.advance(DELTA, mover.wish);
+		CHECK(std::fabs(made.pose().hips.y - last) < 0.05f);
+		last = made.pose().hips.y;
+	}
+}

@@ -124,9 +124,10 @@ Vec3 Mover::_wished_velocity(const State &p_state, const Wish &p_wish) const {
 		return {};
 	}
 	const float ahead = wished.dot(facing(p_state.heading)) / speed;
-	float share = ability.speed_back + (1.0f - ability.speed_back) * std::clamp(ahead * 1.5f, 0.0f, 1.0f);
-	share *= std::clamp(1.0f - std::fabs(p_state.lift) / ability.most_lift, 0.1f, 1.0f);
-	return wished.limited(ability.speed[std::size_t(p_state.stance)] * share);
+	const float fastest = ability.speed[std::size_t(p_state.stance)];
+	const float back = std::min(ability.speed_back * fastest, ability.most_back);
+	const float most = back + (fastest - back) * std::clamp(ahead * 1.5f, 0.0f, 1.0f);
+	return wished.limited(most * std::clamp(1.0f - std::fabs(p_state.lift) / ability.most_lift, 0.1f, 1.0f));
 }
 
 void Mover::_walk(State &r_state, const Vec3 &p_wish, float p_delta) const {

@@ -8,9 +8,10 @@ namespace mover {
 /// What a walker can do. Human: a sprinter reaches 10 m/s, who wears boots and a rifle 5; 0.35 m is the seat of a
 /// chair.
 struct Ability {
-	/// Highest speed ahead, of each stance, m/s; and its share sideways and backwards.
+	/// Highest speed ahead, of each stance, m/s; its share sideways and backwards, and the most there, m/s.
 	std::array<float, STANCES> speed{ 5.5f, 1.6f, 0.6f };
 	float speed_back = 0.5f;
+	float most_back = 1.6f;
 	/// On the ground, to get faster and to brake, and in the air, m/s^2: more, and the body would not come after.
 	float acceleration = 3.5f;
 	float braking = 4.0f;

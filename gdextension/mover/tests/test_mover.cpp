@@ -70,6 +70,17 @@ TEST(nobody_is_faster_than_people_are) {
 	CHECK(walker.state.velocity.z < 0.61f);
 }
 
+TEST(nobody_runs_sideways_or_backwards) {
+	for (const float direction : { 0.5f * HALF_TURN, HALF_TURN }) {
+		Walker walker;
+		Wish wish;
+		wish.x = 5.0f * std::sin(direction);
+		wish.z = 5.0f * std::cos(direction);
+		walker.walk(200, wish);
+		CHECK_NEAR(walker.state.velocity.length(), walker.mover.ability.most_back, 1e-3);
+	}
+}
+
 TEST(what_is_no_number_is_no_wish) {
 	Walker walker;
 	Wish wish = ahead(std::numeric_limits<float>::quiet_NaN());

@@ -5,7 +5,7 @@ extends RefCounted
 ## A point of a sole that is lower is on the ground, m.
 const GROUND_M: float = 0.02
 
-## Speeds of soles on the ground, m/s, each of the point, heel or ball, that moves least.
+## Speeds of soles on the ground, m/s, each of the point that moves least.
 var speeds: PackedFloat64Array = PackedFloat64Array()
 ## How deep a sole was below the ground at worst, m.
 var deepest: float = 0.0
@@ -18,13 +18,15 @@ func begin() -> void:
 	_before.clear()
 
 
-## Looks at the soles after a tick of so many seconds ([method MotionMatcher.get_soles]), the ground
-## being at 0. Returns whether one is on the ground.
+## Looks at the soles after a tick of so many seconds, the ground being at 0: as many points of the
+## left one as of the right one, which follow ([method MotionMatcher.get_soles]). Returns whether
+## one is on the ground.
 func look(p_soles: PackedVector3Array, p_delta: float) -> bool:
 	var stands: bool = false
+	var each: int = p_soles.size() / 2
 	for side: int in 2 if not _before.is_empty() else 0:
 		var slowest: float = INF
-		for point: int in [2 * side, 2 * side + 1]:
+		for point: int in range(each * side, each * (side + 1)):
 			if p_soles[point].y < GROUND_M and _before[point].y < GROUND_M:
 				var step: Vector3 = p_soles[point] - _before[point]
 				slowest = minf(slowest, Vector2(step.x, step.z).length() / p_delta)

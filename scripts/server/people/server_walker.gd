@@ -24,6 +24,8 @@ var mover: WalkerMover = WalkerMover.new()
 ## Inputs that were used, and corrections that were sent.
 var inputs: int = 0
 var corrections: int = 0
+## Ticks in which the walker waited for the body.
+var waits: int = 0
 
 var _pose: WalkerPose = WalkerPose.new()
 var _lead: WalkerLead = WalkerLead.new()
@@ -99,6 +101,7 @@ func _follow_body() -> void:
 		var behind: Vector3 = _find_off()
 		if behind.length() > MAX_TETHER_M:
 			mover.push(behind.limit_length(behind.length() - MAX_TETHER_M))
+			waits += 1
 	if person.sitting != null:
 		return
 	# Hands climb where feet find nothing.

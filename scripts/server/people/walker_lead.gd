@@ -14,11 +14,12 @@ const MAX_LEAD: float = 0.6
 ## Slower than this a walker stands, m/s.
 const STANDING_SPEED: float = 0.2
 ## For so long a body comes to rest, s. Then, where it is off by more than the first distance, it
-## steps until it is off by the second one, m, with a speed, m/s.
+## steps until it is off by the second one, m, with a speed, m/s, but not for longer, s.
 const REST_S: float = 0.4
-const OFF_FROM: float = 0.08
-const OFF_TO: float = 0.04
+const OFF_FROM: float = 0.12
+const OFF_TO: float = 0.05
 const STEPPING_SPEED: float = 0.35
+const STEPPING_S: float = 3.0
 
 ## From the walker to where the motion is, m, level.
 var lead: Vector3 = Vector3.ZERO
@@ -49,7 +50,7 @@ func advance(p_off: Vector3, p_speed: float, p_stops: bool, p_delta_s: float) ->
 	var wanted: Vector3 = Vector3.ZERO
 	_stood_s = _stood_s + p_delta_s if p_speed < STANDING_SPEED else 0.0
 	if _stood_s > REST_S:
-		_steps = off.length() > (OFF_TO if _steps else OFF_FROM)
+		_steps = _stood_s < REST_S + STEPPING_S and off.length() > (OFF_TO if _steps else OFF_FROM)
 		wanted = off.normalized() * -STEPPING_SPEED if _steps else Vector3.ZERO
 	elif not p_stops:
 		_steps = false

@@ -4,23 +4,26 @@ extends RefCounted
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 const TICK_S: float = 1.0 / 60.0
+## Ticks before which a body has not settled, and over which headings are averaged.
+const SETTLING: int = 90
+const WINDOW: int = 36
 
 ## The walker, and its person.
 var walker: ServerWalker = null
 var person: ServerPerson = null
 ## How far the body's hips are from the walker's feet, over the ground, m, in each tick.
 var distances: Statistics = Statistics.new()
-## How far the body faces from where the walker does, rad.
+## How far the chest faces from where the walker does, rad, on average over a stride.
 var headings: Statistics = Statistics.new()
-## How fast feet move that are on the ground, m/s.
-var skates: Statistics = Statistics.new()
+## Whether soles slide on level ground.
+var slide: SoleSlide = SoleSlide.new()
 ## Ticks in which physics had the body.
 var down_ticks: int = 0
 ## The tick that was made last.
 var tick: int = 0
 
 var _people: ServerPeople = ServerPeople.new()
-var _feet: PackedVector3Array = []
+var _window: PackedFloat32Array = []
 
 
 ## Somebody who stands at a place of a world.
@@ -65,25 +68,39 @@ func free_all() -> void:
 func _measure() -> void:
 	var is_down: bool = walker.mover.get_mode() == WalkerMover.BODY
 	down_ticks += int(is_down)
-	var limbs: Array[PhysicsBody3D] = person.ragdoll.get_limb_nodes()
-	var feet: PackedVector3Array = [
-		limbs[Limbs.LEFT_FOOT].global_position, limbs[Limbs.RIGHT_FOOT].global_position
-	]
-	if is_down or tick < 60:
-		_feet = feet
+	if is_down or tick < SETTLING:
+		slide.begin()
+		_window.clear()
 		return
+	var apart: Vector3 = person.hips() - walker.mover.get_position()
+	distances.add(Vector2(apart.x, apart.z).length())
+	slide.look(_find_soles(), TICK_S)
+	_measure_heading()
+
+
+func _measure_heading() -> void:
+	var limbs: Array[PhysicsBody3D] = person.ragdoll.get_limb_nodes()
 	# The shoulders say where one faces.
 	var left: Vector3 = (
 		limbs[Limbs.LEFT_UPPER_ARM].global_position - limbs[Limbs.RIGHT_UPPER_ARM].global_position
 	)
 	var facing: Vector3 = left.cross(Vector3.UP)
-	var heading: float = walker.mover.get_heading()
-	headings.add(absf(angle_difference(atan2(facing.x, facing.z), heading)))
-	var apart: Vector3 = person.hips() - walker.mover.get_position()
-	distances.add(Vector2(apart.x, apart.z).length())
-	for foot: int in 2:
-		var low: float = feet[foot].y - walker.mover.get_position().y
-		if low < 0.06 and not _feet.is_empty():
-			var moved: Vector3 = (feet[foot] - _feet[foot]) / TICK_S
-			skates.add(Vector2(moved.x, moved.z).length())
-	_feet = feet
+	_window.append(angle_difference(walker.mover.get_heading(), atan2(facing.x, facing.z)))
+	if _window.size() < WINDOW:
+		return
+	var sum: float = 0.0
+	for angle: float in _window:
+		sum += angle
+	headings.add(absf(sum / WINDOW))
+	_window.remove_at(0)
+
+
+## The points of both soles, as [SoleSlide] looks at them, m.
+func _find_soles() -> PackedVector3Array:
+	var soles: PackedVector3Array = []
+	for bone: int in [Limbs.LEFT_FOOT, Limbs.RIGHT_FOOT]:
+		var foot: RagdollLimb = person.ragdoll.profile.find(Limbs.BONES[bone])
+		var at: Transform3D = person.ragdoll.get_limb_nodes()[bone].global_transform
+		for point: Vector3 in foot.contact_points:
+			soles.append(at * (foot.rest_orientation.inverse() * (point - foot.position)))
+	return soles
