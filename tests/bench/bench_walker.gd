@@ -235,6 +235,7 @@ func _measure_bodies(p_course: WalkerCourse) -> void:
 		report.at_most(name, "off the walker, mean", body.distances.mean() * 100.0, "cm", 10.0)
 		report.add(name, "off the walker, 99 %", body.distances.percentile(0.99) * 100.0, "cm")
 		report.at_most(name, "off its heading, mean", rad_to_deg(body.headings.mean()), "deg", 5.0)
+		report.add(name, "shoulders off it, mean", rad_to_deg(body.shoulders.mean()), "deg")
 		report.at_most(name, "feet on the ground slide", body.skates.mean() * 100.0, "cm/s", 3.0)
 		report.at_most(name, "ticks down", body.down_ticks, "of %d" % GAIT_TICKS, 0.0)
 		body.free_all()

@@ -4,14 +4,18 @@ extends RefCounted
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 const TICK_S: float = 1.0 / 60.0
+## A stride of two steps, about.
+const STRIDE_TICKS: int = 42
 
 ## The walker, and its person.
 var walker: ServerWalker = null
 var person: ServerPerson = null
 ## How far the body's hips are from the walker's feet, over the ground, m, in each tick.
 var distances: Statistics = Statistics.new()
-## How far the body faces from where the walker does, rad.
+## How far the body faces from where the walker does, rad: on average over [constant STRIDE_TICKS], as
+## shoulders turn to and fro with each step, and in each tick.
 var headings: Statistics = Statistics.new()
+var shoulders: Statistics = Statistics.new()
 ## How fast feet move that are on the ground, m/s.
 var skates: Statistics = Statistics.new()
 ## Ticks in which physics had the body.
@@ -21,6 +25,7 @@ var tick: int = 0
 
 var _people: ServerPeople = ServerPeople.new()
 var _feet: PackedVector3Array = []
+var _turns: PackedFloat32Array = []
 
 
 ## Somebody who stands at a place of a world.
@@ -71,6 +76,7 @@ func _measure() -> void:
 	]
 	if is_down or tick < 60:
 		_feet = feet
+		_turns.clear()
 		return
 	# The shoulders say where one faces.
 	var left: Vector3 = (
@@ -78,7 +84,14 @@ func _measure() -> void:
 	)
 	var facing: Vector3 = left.cross(Vector3.UP)
 	var heading: float = walker.mover.get_heading()
-	headings.add(absf(angle_difference(atan2(facing.x, facing.z), heading)))
+	_turns.append(angle_difference(atan2(facing.x, facing.z), heading))
+	shoulders.add(absf(_turns[-1]))
+	if _turns.size() == STRIDE_TICKS:
+		var sum: float = 0.0
+		for turn: float in _turns:
+			sum += turn
+		headings.add(absf(sum / STRIDE_TICKS))
+		_turns.remove_at(0)
 	var apart: Vector3 = person.hips() - walker.mover.get_position()
 	distances.add(Vector2(apart.x, apart.z).length())
 	for foot: int in 2:

@@ -27,8 +27,10 @@ func test_the_body_walks_where_the_walker_does() -> void:
 	var walker: Vector3 = _body.walker.mover.get_position()
 	is_true(walker.z > WalkerCourse.OPEN.z + 3.0, str(walker))
 	var apart: Vector3 = _body.person.hips() - walker
-	is_true(Vector2(apart.x, apart.z).length() < 0.4, str(apart))
 	is_true(apart.y > 0.8, "it stands: %s" % apart)
+	is_true(_body.distances.mean() < 0.1, "%.3f m off" % _body.distances.mean())
+	await _advance(150, Vector2(0.0, 3.2))
+	is_true(_body.distances.mean() < 0.15, "%.3f m off" % _body.distances.mean())
 	equal(_body.down_ticks, 0)
 
 
