@@ -48,6 +48,19 @@ func test_a_client_that_is_silent_stands_still() -> void:
 	equal(_body.walker.mover.get_velocity(), Vector3.ZERO)
 
 
+func test_who_wears_a_suit_again_walks_no_more() -> void:
+	await _advance(60, Vector2(0.0, 1.5))
+	is_false(_body.walker.is_over())
+	var worn: PoseSample = PoseSample.new()
+	worn.orientations = _body.person.newest.orientations
+	worn.root = _body.person.newest.root
+	worn.time_usec = roundi(Time.get_unix_time_from_system() * 1e6)
+	_body.person.push_sample(worn, _body.tick / 60.0)
+	is_true(_body.walker.is_over())
+	_body.walker.end()
+	equal(_body.person.ragdoll.motor.leg_push, 0.0)
+
+
 func test_who_is_shoved_falls_gets_up_and_walks_on() -> void:
 	await _advance(90, Vector2.ZERO)
 	var chest: RID = _body.person.ragdoll.get_bodies()[Limbs.CHEST]
