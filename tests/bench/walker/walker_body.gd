@@ -12,8 +12,8 @@ var walker: ServerWalker = null
 var person: ServerPerson = null
 ## How far the body's hips are from the walker's feet, over the ground, m, in each tick.
 var distances: Statistics = Statistics.new()
-## How far the body faces from where the walker does, rad: on average over [constant STRIDE_TICKS], as
-## shoulders turn to and fro with each step, and in each tick.
+## How far the body faces from where the walker does, rad: on average over a stride, as shoulders
+## turn to and fro with each step, and in each tick.
 var headings: Statistics = Statistics.new()
 var shoulders: Statistics = Statistics.new()
 ## How fast feet move that are on the ground, m/s.
