@@ -7,9 +7,9 @@ extends RefCounted
 ## taken for one that stands. With none that fits, as in the air, the hips go on as they did.
 
 ## Points that are so far above the lowest one may stand, m.
-const NEAR_M: float = 0.05
+const NEAR_M: float = 0.03
 ## Speed by which a point that stands may change the hips' from one frame to the next, m/s.
-const MISFIT: float = 1.0
+const MISFIT: float = 2.5
 ## Time in which the hips' own speed follows, s.
 const FOLLOW_S: float = 0.06
 

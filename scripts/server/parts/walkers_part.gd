@@ -25,6 +25,10 @@ func advance(p_now_usec: int, p_delta_s: float) -> void:
 	if context.level.is_between:
 		return
 	for walker: ServerWalker in _walkers.values():
+		if walker.is_over():
+			walker.end()
+			_forget(walker.person.id)
+			continue
 		var message: PackedByteArray = walker.advance(context.tick, p_now_usec / 1e6, p_delta_s)
 		if not message.is_empty():
 			context.link.send_whole(walker.person.session, message)

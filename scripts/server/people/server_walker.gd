@@ -34,6 +34,8 @@ var _is_fresh: bool = false
 var _silent_s: float = 0.0
 ## Number of the newest correction.
 var _number: int = 0
+# The last sample that the body has taken from here.
+var _sample: PoseSample = null
 ## Where the pose of the last tick had the hips, m.
 var _hips: Vector3 = Vector3.ZERO
 ## From where the walker is to where the motion still is, m.
@@ -56,8 +58,21 @@ func _init(p_person: ServerPerson) -> void:
 ## Takes the values of a command.
 func take(p_values: PackedFloat32Array) -> void:
 	_input = WalkerInput.of_values(p_values)
+	if inputs == 0:
+		_number = _input.correction
 	_is_fresh = true
 	inputs += 1
+
+
+## Whether the client moves the person by worn motion now.
+func is_over() -> bool:
+	return _sample != null and person.newest != null and person.newest != _sample
+
+
+## Leaves the body to whatever moves it now.
+func end() -> void:
+	person.ragdoll.motor.leg_push = 0.0
+	person.ragdoll.motor.root_mode = _root_mode
 
 
 ## Makes a tick, before the motors are set. Returns a [WalkMessage] for the client, or no bytes.
@@ -155,3 +170,5 @@ func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
 	if not frame.basis.is_equal_approx(Basis.IDENTITY):
 		sample.turn_limbs(frame.basis.get_rotation_quaternion().inverse())
 	person.push_sample(sample, p_now_s, p_delta_s)
+	if person.newest == sample:
+		_sample = sample

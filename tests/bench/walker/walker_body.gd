@@ -4,9 +4,9 @@ extends RefCounted
 
 const PERSON: PackedScene = preload("res://scenes/actor/person.tscn")
 const TICK_S: float = 1.0 / 60.0
-## Ticks before which a body has not settled, and over which headings are averaged.
+## Ticks before which a body has not settled, and of a stride of two steps, about.
 const SETTLING: int = 90
-const WINDOW: int = 36
+const STRIDE_TICKS: int = 42
 
 ## The walker, and its person.
 var walker: ServerWalker = null
@@ -86,12 +86,12 @@ func _measure_heading() -> void:
 	)
 	var facing: Vector3 = left.cross(Vector3.UP)
 	_window.append(angle_difference(walker.mover.get_heading(), atan2(facing.x, facing.z)))
-	if _window.size() < WINDOW:
+	if _window.size() < STRIDE_TICKS:
 		return
 	var sum: float = 0.0
 	for angle: float in _window:
 		sum += angle
-	headings.add(absf(sum / WINDOW))
+	headings.add(absf(sum / STRIDE_TICKS))
 	_window.remove_at(0)
 
 

@@ -27,8 +27,10 @@ func test_the_body_walks_where_the_walker_does() -> void:
 	var walker: Vector3 = _body.walker.mover.get_position()
 	is_true(walker.z > WalkerCourse.OPEN.z + 3.0, str(walker))
 	var apart: Vector3 = _body.person.hips() - walker
-	is_true(Vector2(apart.x, apart.z).length() < 0.4, str(apart))
 	is_true(apart.y > 0.8, "it stands: %s" % apart)
+	is_true(_body.distances.mean() < 0.1, "%.3f m off" % _body.distances.mean())
+	await _advance(150, Vector2(0.0, 3.2))
+	is_true(_body.distances.mean() < 0.15, "%.3f m off" % _body.distances.mean())
 	equal(_body.down_ticks, 0)
 
 
@@ -44,6 +46,19 @@ func test_a_client_that_is_silent_stands_still() -> void:
 		await physics_frames(1)
 		_body.advance_silent()
 	equal(_body.walker.mover.get_velocity(), Vector3.ZERO)
+
+
+func test_who_wears_a_suit_again_walks_no_more() -> void:
+	await _advance(60, Vector2(0.0, 1.5))
+	is_false(_body.walker.is_over())
+	var worn: PoseSample = PoseSample.new()
+	worn.orientations = _body.person.newest.orientations
+	worn.root = _body.person.newest.root
+	worn.time_usec = roundi(Time.get_unix_time_from_system() * 1e6)
+	_body.person.push_sample(worn, _body.tick / 60.0)
+	is_true(_body.walker.is_over())
+	_body.walker.end()
+	equal(_body.person.ragdoll.motor.leg_push, 0.0)
 
 
 func test_who_is_shoved_falls_gets_up_and_walks_on() -> void:

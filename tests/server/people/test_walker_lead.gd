@@ -18,6 +18,16 @@ func test_a_lead_makes_up_for_what_the_body_loses() -> void:
 	almost_equal(body, 1.5 * 240 * TICK_S, 0.06)
 
 
+func test_it_goes_where_the_body_is_missing_until_that_is_there() -> void:
+	var lead: WalkerLead = WalkerLead.new()
+	# A body that is always 0.2 m behind its motion.
+	var off: Vector3 = Vector3.BACK * -0.2
+	for tick: int in 300:
+		lead.advance(off + lead.lead, 1.5, false, TICK_S)
+	almost_equal(lead.lead.z, 0.2, 0.005)
+	is_true(lead.velocity.length() < 0.01)
+
+
 func test_a_lead_is_bounded_and_ends() -> void:
 	var lead: WalkerLead = WalkerLead.new()
 	for tick: int in 600:
