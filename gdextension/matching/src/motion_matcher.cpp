@@ -29,7 +29,7 @@ constexpr float MAX_STRIDE = 1.7f;
 /// Who goes sideways takes so many more steps, as legs that cross trip over each other, and keeps his feet so far
 /// apart, heights of the hips.
 constexpr float MORE_STEPS_ACROSS = 0.5f;
-constexpr float LEAST_APART = 0.1f;
+constexpr float MIN_APART = 0.1f;
 /// The hips turn by this share towards where the person goes, at most so far, rad.
 constexpr float HIPS_SHARE = 0.45f;
 constexpr float MAX_HIPS = 0.7f;
@@ -183,7 +183,7 @@ Pose MotionMatcher::_changed(const Player::Sample &p_sample, const Warp &p_warp)
 		Vec3 rest = entry.rests[side];
 		Vec3 apart = turn.rotate(p_sample.pose.ankles[side] - rest) * p_warp.stride;
 		// Somebody who goes sideways stands wider.
-		const float wide = 0.5f * LEAST_APART + across * entry.reach * p_warp.stride;
+		const float wide = 0.5f * MIN_APART + across * entry.reach * p_warp.stride;
 		rest.x = std::copysign(std::max(std::fabs(rest.x), across * wide), rest.x);
 		const float above = p_sample.pose.ankles[side].y - entry.clip.ankle_height;
 		pose.ankles[side] = (rest + apart) * size;

@@ -11,10 +11,10 @@ const MAX_SPEED: float = 0.2
 const MAX_SHARE: float = 0.15
 ## The most that the motion is ahead, m: beyond that something holds the body.
 const MAX_LEAD: float = 0.6
-## Slower than this a walker stands, m/s.
+## Speed below which a walker stands, m/s.
 const STANDING_SPEED: float = 0.2
-## For so long a body comes to rest, s. Then, where it is off by more than the first distance, it
-## steps until it is off by the second one, m, with a speed, m/s, but not for longer, s.
+## Time after which a body has come to rest, s. Then, where it is off by more than the first
+## distance, it steps until it is off by the second one, m, with a speed, m/s, but not for longer, s.
 const REST_S: float = 0.4
 const OFF_FROM: float = 0.12
 const OFF_TO: float = 0.05
