@@ -14,7 +14,7 @@ const MAX_LEAD: float = 0.6
 ## Speed below which a walker stands, m/s.
 const STANDING_SPEED: float = 0.2
 ## Time after which a body has come to rest, s. Then, where it is off by more than the first
-## distance, m, it steps until it is off by the second one, with a speed, m/s, for a time at most, s.
+## distance, m, it steps until it is off by the second one, by a speed, m/s, and for a time, s.
 const REST_S: float = 0.4
 const OFF_FROM: float = 0.12
 const OFF_TO: float = 0.05
