@@ -5,8 +5,6 @@ extends RefCounted
 ## It has no world to predict in, so its server corrects it once each round trip, where an honest
 ## client's walker is hardly ever corrected: what it costs is the most that a walker can cost.
 
-## How long before its tick an input arrives, ticks.
-const MARGIN_TICKS: float = 2.5
 ## Time for which a wish lasts, s.
 const _LASTS_S: float = 1.0
 ## What is wished: velocity ahead and to the right, m/s.
@@ -58,7 +56,8 @@ func advance() -> void:
 		return
 	var rate: float = _replica.tick_rate()
 	var there_s: float = _link.clock.round_trip_usec / 2e6
-	var due: float = _link.clock.tick_at(Time.get_ticks_usec()) + there_s * rate + MARGIN_TICKS
+	var reached: float = _link.clock.tick_at(Time.get_ticks_usec()) + there_s * rate
+	var due: float = reached + ClientWalker.MARGIN_TICKS
 	if int(due) <= _tick:
 		return
 	_tick = int(due)

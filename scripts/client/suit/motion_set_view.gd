@@ -17,11 +17,11 @@ var _session: MotionSetSession = null
 var _mirror: MirrorView = MirrorView.new()
 var _figure: StickFigureView = StickFigureView.new()
 var _size: BodySize = null
-var _state: Label = _label(Vector2(0.47, 0.05), Vector2(0.98, 0.18))
-var _what: Label = _label(Vector2(0.47, 0.18), Vector2(0.98, 0.58))
+var _state: Label = UiWords.new(Vector2(0.47, 0.05), Vector2(0.98, 0.18))
+var _what: Label = UiWords.new(Vector2(0.47, 0.18), Vector2(0.98, 0.58))
 var _bar: ProgressBar = ProgressBar.new()
-var _next: Label = _label(Vector2(0.47, 0.67), Vector2(0.98, 0.8))
-var _news: Label = _label(Vector2(0.47, 0.8), Vector2(0.98, 0.97))
+var _next: Label = UiWords.new(Vector2(0.47, 0.67), Vector2(0.98, 0.8))
+var _news: Label = UiWords.new(Vector2(0.47, 0.8), Vector2(0.98, 0.97))
 
 
 ## Shows a session.
@@ -83,8 +83,8 @@ func _show_figure(p_pose: PoseSample, p_delta: float) -> void:
 		_size = _session.source.get_body()
 		_mirror.begin(_size.height)
 	_figure.show_pose(p_pose, _size, PackedInt32Array())
-	var front: Vector3 = p_pose.orientation(Limbs.CHEST) * Vector3.BACK
-	_mirror.follow(p_pose.root, 0.0, atan2(front.x, front.z), p_delta)
+	var heading: float = Rotations.facing_of(p_pose.orientation(Limbs.CHEST))
+	_mirror.follow(p_pose.root, 0.0, heading, p_delta)
 
 
 func _on_said(p_text: String) -> void:
@@ -95,13 +95,3 @@ func _fit() -> void:
 	for label: Label in [_state, _what, _next, _news]:
 		var share: float = _WORDS if label in [_state, _what] else _SMALL
 		label.add_theme_font_size_override("font_size", maxi(roundi(share * size.y), 8))
-
-
-static func _label(p_from: Vector2, p_to: Vector2) -> Label:
-	var label: Label = Label.new()
-	label.anchor_left = p_from.x
-	label.anchor_top = p_from.y
-	label.anchor_right = p_to.x
-	label.anchor_bottom = p_to.y
-	label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	return label

@@ -71,10 +71,10 @@ func read(p_controls: WalkerControls, p_legs: WalkedLegs) -> void:
 	_headset.display.stick = Vector2.ZERO if is_off else pad
 	_press(p_controls, Vector2.ZERO if is_off else _headset.stick(1))
 	var head: Transform3D = _headset.head()
-	var gaze: float = facing_of(head.basis)
+	var gaze: float = Recentring.facing_of(head.basis)
 	p_controls.aside = 0.0
 	if by_hand and _headset.has_hand(0):
-		p_controls.aside = angle_difference(gaze, facing_of(_headset.pointer(0).basis))
+		p_controls.aside = angle_difference(gaze, Recentring.facing_of(_headset.pointer(0).basis))
 	if p_legs != null:
 		p_legs.ahead = gaze
 		return
@@ -125,11 +125,6 @@ func find_seat(r_place: WearerTransform, p_head: Transform3D, p_heading: float) 
 	_heading = p_heading
 	var turn: Basis = Basis(Vector3.UP, p_heading)
 	r_place.frame = Transform3D(turn, p_head * OrbitCamera.EYES - turn * _above)
-
-
-## Where somebody who wears it looks in the own frame: the angle about +Y, rad, 0 towards +Z.
-static func facing_of(p_basis: Basis) -> float:
-	return wrapf(Recentring.heading_of(p_basis) + PI, -PI, PI)
 
 
 ## Up jumps, or stands up again; down crouches, and stands up again.

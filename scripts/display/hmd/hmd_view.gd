@@ -49,8 +49,7 @@ func hand(p_hand: int) -> XRController3D:
 ## Where the eyes are in the world, m, and where they look: degrees about +Y, 0 towards +Z.
 func describe_eyes() -> Array[float]:
 	var at: Vector3 = head.global_position
-	var heading: float = Recentring.heading_of(head.global_basis) + PI
-	return [at.x, at.y, at.z, rad_to_deg(wrapf(heading, -PI, PI))]
+	return [at.x, at.y, at.z, rad_to_deg(Recentring.facing_of(head.global_basis))]
 
 
 ## How long the card took for both eyes' pictures of the last frame of which that is known, s; 0

@@ -58,5 +58,10 @@ static func heading_of(p_basis: Basis) -> float:
 	return atan2(-ahead.x, -ahead.z)
 
 
+## Where somebody with this rotation looks as bodies and walkers have it: rad about +Y, 0 along +Z.
+static func facing_of(p_basis: Basis) -> float:
+	return wrapf(heading_of(p_basis) + PI, -PI, PI)
+
+
 static func _is_sound(p_transform: Transform3D) -> bool:
 	return p_transform.is_finite()

@@ -55,6 +55,18 @@ func add_source(
 	_add(Motion.new(p_source), row)
 
 
+## Writes the set to a file. Returns why it is none or cannot be written, or an empty text.
+func save(p_path: String) -> String:
+	var bytes: PackedByteArray = motion_set.to_bytes()
+	var fault: String = MotionSet.new().load_bytes(bytes)
+	if fault != "":
+		return fault
+	var file: FileAccess = FileAccess.open(p_path, FileAccess.WRITE)
+	if file == null or not file.store_buffer(bytes):
+		return "cannot write %s: %s" % [p_path, error_string(FileAccess.get_open_error())]
+	return ""
+
+
 func _add(p_motion: Motion, p_row: MotionSetTable.Row) -> void:
 	_take_body(p_motion.rig)
 	var frames: int = p_motion.hips.size()

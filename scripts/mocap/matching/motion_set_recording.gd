@@ -88,7 +88,12 @@ func build() -> String:
 	var fault: String = _fill(builder, kept)
 	if fault == "":
 		fault = _write_table(kept)
-	return fault if fault != "" else _write_set(builder.motion_set)
+	if fault == "":
+		fault = builder.save(_out)
+	if fault == "":
+		var size: int = FileAccess.get_size(_out)
+		notes.append("%s is made, %.1f MB." % [_out, size / 1e6])
+	return fault
 
 
 ## Adds what is missing to the set and to its table.
@@ -111,18 +116,6 @@ func _fill(r_builder: MotionSetBuilder, r_rows: Array[MotionSetTable.Row]) -> St
 		notes.append(
 			"Taken from the shipped set, as you have nothing like them: %s." % ", ".join(names)
 		)
-	return ""
-
-
-func _write_set(p_set: MotionSet) -> String:
-	var bytes: PackedByteArray = p_set.to_bytes()
-	var fault: String = MotionSet.new().load_bytes(bytes)
-	if fault != "":
-		return fault
-	var file: FileAccess = FileAccess.open(_out, FileAccess.WRITE)
-	if file == null or not file.store_buffer(bytes):
-		return "cannot write %s: %s" % [_out, error_string(FileAccess.get_open_error())]
-	notes.append("%s is made, %.1f MB." % [_out, bytes.size() / 1e6])
 	return ""
 
 

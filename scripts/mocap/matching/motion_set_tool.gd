@@ -57,14 +57,9 @@ func _build() -> String:
 	builder.add_table(table, _clips if _clips != "" else _words[1].get_base_dir(), _unit)
 	if builder.error != "":
 		return builder.error
-	var bytes: PackedByteArray = builder.motion_set.to_bytes()
-	var fault: String = MotionSet.new().load_bytes(bytes)
+	var fault: String = builder.save(_words[2])
 	if fault != "":
 		return fault
-	var file: FileAccess = FileAccess.open(_words[2], FileAccess.WRITE)
-	if file == null or not file.store_buffer(bytes):
-		return "cannot write %s" % _words[2]
-	file.close()
 	_words[1] = _words[2]
 	return _show()
 

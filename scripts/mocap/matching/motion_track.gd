@@ -48,8 +48,7 @@ var _headings: PackedFloat64Array = PackedFloat64Array()
 func add(p_pose: PoseSample) -> void:
 	hips.append(p_pose.root)
 	orientations.append_array(p_pose.orientations)
-	var front: Vector3 = p_pose.orientation(Limbs.CHEST) * Vector3.BACK
-	var heading: float = atan2(front.x, front.z)
+	var heading: float = Rotations.facing_of(p_pose.orientation(Limbs.CHEST))
 	if not _headings.is_empty():
 		heading = _headings[-1] + angle_difference(_headings[-1], heading)
 	_headings.append(heading)

@@ -6,6 +6,13 @@ extends RefCounted
 ## Frames between two moments at which the file is whole.
 const FLUSH: int = 30
 
+const _PLACES: PackedInt32Array = [
+	BvhJoint.Channel.X_POSITION, BvhJoint.Channel.Y_POSITION, BvhJoint.Channel.Z_POSITION
+]
+const _TURNS: PackedInt32Array = [
+	BvhJoint.Channel.Z_ROTATION, BvhJoint.Channel.X_ROTATION, BvhJoint.Channel.Y_ROTATION
+]
+
 ## What is wrong, or an empty text.
 var error: String = ""
 
@@ -39,7 +46,7 @@ func open(p_path: String) -> String:
 	if _file == null:
 		error = "cannot write %s: %s" % [p_path, error_string(FileAccess.get_open_error())]
 		return error
-	_write("HIERARCHY\n" + _joint_text(Limbs.ROOT, 0) + "MOTION\nFrames: ")
+	_write("\n".join(BvhWriter.hierarchy(_find_joints(), 5)) + "\nMOTION\nFrames: ")
 	_count_at = _file.get_position()
 	_write("%08d\nFrame Time: %.10f\n" % [0, 1.0 / MotionTrack.RATE])
 	return error
@@ -90,30 +97,29 @@ func _write(p_text: String) -> void:
 		error = "cannot write %s: %s" % [_file.get_path(), error_string(_file.get_error())]
 
 
-## The order of limbs in the file is theirs in [Limbs]: each one's children follow it.
-func _joint_text(p_limb: int, p_depth: int) -> String:
-	var indent: String = "\t".repeat(p_depth)
-	var parent: int = Limbs.PARENTS[p_limb]
-	var offset: Vector3 = Vector3.ZERO if parent < 0 else _joints[p_limb] - _joints[parent]
-	var text: String = (
-		"%s%s %s\n" % [indent, "ROOT" if parent < 0 else "JOINT", Limbs.BONES[p_limb]]
-	)
-	text += "%s{\n%s\tOFFSET %s\n" % [indent, indent, _numbers(offset)]
-	var places: String = "6 Xposition Yposition Zposition " if parent < 0 else "3 "
-	text += "%s\tCHANNELS %sZrotation Xrotation Yrotation\n" % [indent, places]
-	var has_child: bool = false
+## The joints of the file: the limbs in their order, an end site after each that nothing hangs on.
+func _find_joints() -> Array[BvhJoint]:
+	var joints: Array[BvhJoint] = []
+	var numbers: PackedInt32Array = PackedInt32Array()
 	for limb: int in Limbs.COUNT:
-		if Limbs.PARENTS[limb] == p_limb:
-			text += _joint_text(limb, p_depth + 1)
-			has_child = true
-	if not has_child:
-		text += "%s\tEnd Site\n%s\t{\n%s\t\tOFFSET " % [indent, indent, indent]
-		text += "%s\n%s\t}\n" % [_numbers(_tails[p_limb] - _joints[p_limb]), indent]
-	return text + indent + "}\n"
-
-
-static func _numbers(p_vector: Vector3) -> String:
-	return "%.5f %.5f %.5f" % [p_vector.x, p_vector.y, p_vector.z]
+		var parent: int = Limbs.PARENTS[limb]
+		var joint: BvhJoint = BvhJoint.new()
+		joint.name = Limbs.BONES[limb]
+		joint.channels = _TURNS
+		if parent < 0:
+			joint.channels = _PLACES + _TURNS
+		else:
+			joint.parent = numbers[parent]
+			joint.offset = _joints[limb] - _joints[parent]
+		numbers.append(joints.size())
+		joints.append(joint)
+		if not Limbs.PARENTS.has(limb):
+			var end: BvhJoint = BvhJoint.new()
+			end.is_end_site = true
+			end.parent = numbers[limb]
+			end.offset = _tails[limb] - _joints[limb]
+			joints.append(end)
+	return joints
 
 
 ## Legs as long as they are: hip joints hang below the hips' middle by what is left.

@@ -29,9 +29,9 @@ var ends: String = ""
 
 var _picture: PreviewView = PreviewView.new()
 var _figure: StickFigureView = StickFigureView.new()
-var _stage: Label = _label(Vector2(0.46, 0.06), Vector2(0.98, 0.2))
-var _seconds: Label = _label(Vector2(0.46, 0.2), Vector2(0.98, 0.56))
-var _words: Label = _label(Vector2(0.46, 0.56), Vector2(0.98, 0.97))
+var _stage: Label = UiWords.new(Vector2(0.46, 0.06), Vector2(0.98, 0.2))
+var _seconds: Label = UiWords.new(Vector2(0.46, 0.2), Vector2(0.98, 0.56))
+var _words: Label = UiWords.new(Vector2(0.46, 0.56), Vector2(0.98, 0.97))
 var _size: BodySize = BodySize.of_hip_height(0.95)
 var _standing: StandingHeight = StandingHeight.new(_size)
 
@@ -46,6 +46,7 @@ func _init() -> void:
 	add_child(_picture)
 	_picture.stage.add_child(_figure)
 	for label: Label in [_stage, _seconds, _words]:
+		label.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
 		add_child(label)
 	resized.connect(_fit)
 	mouse_filter = Control.MOUSE_FILTER_STOP
@@ -147,14 +148,3 @@ func _fit_words() -> void:
 			break
 		letters -= 2
 	_words.add_theme_font_size_override(&"font_size", letters)
-
-
-static func _label(p_from: Vector2, p_to: Vector2) -> Label:
-	var label: Label = Label.new()
-	label.anchor_left = p_from.x
-	label.anchor_top = p_from.y
-	label.anchor_right = p_to.x
-	label.anchor_bottom = p_to.y
-	label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
-	label.vertical_alignment = VERTICAL_ALIGNMENT_CENTER
-	return label

@@ -234,7 +234,7 @@ func _eyes() -> Vector3:
 
 ## Where the eyes look, rad about +Y from +Z.
 func _gaze() -> float:
-	return HeadsetWalk.facing_of(_display.tracking_in_world().basis * _head_pose().basis)
+	return Recentring.facing_of(_display.tracking_in_world().basis * _head_pose().basis)
 
 
 func _floor() -> void:

@@ -6,24 +6,30 @@ extends RefCounted
 ## The text of a file with the given digits after the point. [BvhParser] reads it back to the same
 ## clip, up to rounding.
 static func to_text(p_clip: BvhClip, p_decimals: int = 6) -> String:
-	var number: String = "%%.%df" % p_decimals
+	var lines: PackedStringArray = hierarchy(p_clip.joints, p_decimals)
+	lines.append("MOTION")
+	lines.append("Frames: %d" % p_clip.frame_count)
+	lines.append("Frame Time: %.10f" % p_clip.frame_time)
+	_write_rows(p_clip, _format(p_decimals), lines)
+	return "\n".join(lines) + "\n"
+
+
+## The lines of a skeleton: its joints and end sites, each after its parent and what hangs on it
+## right after it. For who writes a file while its frames come.
+static func hierarchy(p_joints: Array[BvhJoint], p_decimals: int = 6) -> PackedStringArray:
 	var lines: PackedStringArray = PackedStringArray(["HIERARCHY"])
 	var open: PackedInt32Array = PackedInt32Array()
-	for index: int in p_clip.joints.size():
-		var joint: BvhJoint = p_clip.joints[index]
+	for index: int in p_joints.size():
+		var joint: BvhJoint = p_joints[index]
 		while not open.is_empty() and open[-1] != joint.parent:
 			open.remove_at(open.size() - 1)
 			lines.append("\t".repeat(open.size()) + "}")
-		_write_joint(joint, open.size(), number, lines)
+		_write_joint(joint, open.size(), _format(p_decimals), lines)
 		open.append(index)
 	while not open.is_empty():
 		open.remove_at(open.size() - 1)
 		lines.append("\t".repeat(open.size()) + "}")
-	lines.append("MOTION")
-	lines.append("Frames: %d" % p_clip.frame_count)
-	lines.append("Frame Time: %.10f" % p_clip.frame_time)
-	_write_rows(p_clip, number, lines)
-	return "\n".join(lines) + "\n"
+	return lines
 
 
 ## Writes a file. Returns OK or what went wrong.
@@ -33,6 +39,10 @@ static func save(p_clip: BvhClip, p_path: String, p_decimals: int = 6) -> Error:
 		return FileAccess.get_open_error()
 	file.store_string(to_text(p_clip, p_decimals))
 	return file.get_error()
+
+
+static func _format(p_decimals: int) -> String:
+	return "%%.%df" % p_decimals
 
 
 static func _write_joint(
