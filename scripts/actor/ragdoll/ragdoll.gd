@@ -56,6 +56,7 @@ var shown_bone: Callable = Callable()
 var motor: RagdollMotor = null
 
 var _bodies: Array[RID] = []
+var _hips: PhysicalBone3D = null
 var _is_fitted: bool = false
 ## Bones of the limbs in the profile's order, as far as they were found already.
 var _bones: Array[PhysicalBone3D] = []
@@ -164,6 +165,7 @@ func start() -> bool:
 	stop()  # Two motors would pull at the same bodies.
 	get_simulator().physical_bones_start_simulation()
 	_bodies.clear()
+	_hips = bones[0]
 	for i: int in bones.size():
 		# Otherwise the body would be put back to where the bone rests at the end of the frame.
 		bones[i].force_update_transform()
@@ -203,6 +205,11 @@ func stop() -> void:
 ## Bodies of the limbs, in the profile's order; empty unless started.
 func get_bodies() -> Array[RID]:
 	return _bodies
+
+
+## Where the body of the hips is, m; once started.
+func get_hips() -> Vector3:
+	return _hips.global_position
 
 
 ## Nodes of the limbs' bodies, in the order of [constant Limbs.BONES]; empty where one is missing.

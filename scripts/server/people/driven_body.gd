@@ -22,4 +22,4 @@ func stand_at(p_start: Transform3D) -> void:
 
 ## Where the body's hips are, m.
 func hips() -> Vector3:
-	return ragdoll.get_limb_nodes()[Limbs.ROOT].global_position
+	return ragdoll.get_hips()
