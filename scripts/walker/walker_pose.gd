@@ -52,12 +52,14 @@ func advance(
 	p_offset: Vector3 = Vector3.ZERO,
 	p_drift: Vector3 = Vector3.ZERO
 ) -> PoseSample:
+	# Who is held back does not walk on, on the spot: that would throw the body back.
+	var wish: Vector2 = p_mover.hold_back(p_input.wish)
 	_matcher.advance(
 		p_delta_s,
 		p_mover.get_position() - p_offset + Vector3.DOWN * p_mover.get_lift(),
 		p_mover.get_velocity() + p_drift,
 		p_mover.get_heading(),
-		Vector3(p_input.wish.x, 0.0, p_input.wish.y) + p_drift,
+		Vector3(wish.x, 0.0, wish.y) + p_drift,
 		p_input.heading,
 		stance_of(p_mover),
 		p_mover.is_grounded()

@@ -57,6 +57,16 @@ Vector3 WalkerMover::push(const Vector3 &p_motion) {
 	return from_core(sweep.travel);
 }
 
+void WalkerMover::set_hold(const Vector2 &p_hold) {
+	ERR_FAIL_COND_MSG(!p_hold.is_finite() || p_hold.length() > 1.001f, "A hold is at most 1 long.");
+	_state.hold = { float(p_hold.x), 0.0f, float(p_hold.y) };
+}
+
+Vector2 WalkerMover::hold_back(const Vector2 &p_wish) const {
+	const mover::Vec3 left = mover::Mover::held(_state, { float(p_wish.x), 0.0f, float(p_wish.y) });
+	return Vector2(left.x, left.z);
+}
+
 void WalkerMover::tick(const Vector2 &p_wish, double p_heading, int64_t p_stance, bool p_jumps, double p_delta) {
 	ERR_FAIL_COND_MSG(!(p_delta > 0.0 && p_delta < 1.0), "A tick lasts more than 0 s and less than 1 s.");
 	mover::Wish wish;
@@ -107,6 +117,8 @@ void WalkerMover::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("follow_body", "position", "heading"), &WalkerMover::follow_body);
 	ClassDB::bind_method(D_METHOD("push", "motion"), &WalkerMover::push);
 	ClassDB::bind_method(D_METHOD("tick", "wish", "heading", "stance", "jumps", "delta"), &WalkerMover::tick);
+	ClassDB::bind_method(D_METHOD("set_hold", "hold"), &WalkerMover::set_hold);
+	ClassDB::bind_method(D_METHOD("hold_back", "wish"), &WalkerMover::hold_back);
 	ClassDB::bind_method(D_METHOD("get_state"), &WalkerMover::get_state);
 	ClassDB::bind_method(D_METHOD("set_state", "bytes"), &WalkerMover::set_state);
 	ClassDB::bind_method(D_METHOD("get_check"), &WalkerMover::get_check);

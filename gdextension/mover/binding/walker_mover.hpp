@@ -39,6 +39,8 @@ public:
 	void place(const Vector3 &p_position, double p_heading);
 	void follow_body(const Vector3 &p_position, double p_heading);
 	Vector3 push(const Vector3 &p_motion);
+	void set_hold(const Vector2 &p_hold);
+	Vector2 hold_back(const Vector2 &p_wish) const;
 	void tick(const Vector2 &p_wish, double p_heading, int64_t p_stance, bool p_jumps, double p_delta);
 	PackedByteArray get_state() const;
 	bool set_state(const PackedByteArray &p_bytes);

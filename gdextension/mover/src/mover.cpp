@@ -47,10 +47,11 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 		}
 	} else {
 		_choose_stance(r_state, p_wish.stance);
-		const bool brakes = wished.dot(r_state.velocity) < r_state.velocity.dot(r_state.velocity);
+		const Vec3 going = held(r_state, wished);
+		const bool brakes = going.dot(r_state.velocity) < r_state.velocity.dot(r_state.velocity);
 		const float on_ground = brakes ? ability.braking : ability.acceleration;
 		const float rate = r_state.is_grounded != 0 ? on_ground : ability.air_acceleration;
-		const Vec3 along = approached(level(r_state.velocity), wished, rate * p_delta);
+		const Vec3 along = approached(level(r_state.velocity), going, rate * p_delta);
 		r_state.velocity = { along.x, r_state.velocity.y, along.z };
 		if (!begins_jump || r_state.is_grounded == 0 || !_begin_vault(r_state, REACH)) {
 			if (begins_jump && r_state.is_grounded != 0 && r_state.stance == Stance::STAND) {
@@ -76,6 +77,15 @@ void Mover::tick(State &r_state, const Wish &p_wish, float p_delta) const {
 		r_state.local = frame.turn.inverse().rotate(r_state.position - frame.origin);
 		r_state.local_heading = wrapped(r_state.heading - facing_of(frame.turn));
 	}
+}
+
+Vec3 Mover::held(const State &p_state, const Vec3 &p_wish) {
+	const float hold = p_state.hold.length();
+	if (!(hold > LEAST)) {
+		return p_wish;
+	}
+	const Vec3 towards = p_state.hold * (1.0f / hold);
+	return p_wish + towards * (std::max(-p_wish.dot(towards), 0.0f) * std::min(hold, 1.0f));
 }
 
 /// Goes where the carrier has gone since the last tick. Who has just lost it keeps its speed.

@@ -43,6 +43,8 @@ public:
 
 	/// Goes on by a tick of so many seconds. A wish that is none (NaN) counts as standing still.
 	void tick(State &r_state, const Wish &p_wish, float p_delta) const;
+	/// What is left of a level wish, m/s, where something holds the body back.
+	static Vec3 held(const State &p_state, const Vec3 &p_wish);
 
 private:
 	void _ride(State &r_state, float p_delta) const;

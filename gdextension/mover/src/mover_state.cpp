@@ -45,6 +45,8 @@ void visit(T_STATE &r_state, T_NUMBER p_number, T_COUNT p_count) {
 	p_count(r_state.carrier, 65536);
 	vector(r_state.local);
 	p_number(r_state.local_heading);
+	p_number(r_state.hold.x);
+	p_number(r_state.hold.z);
 }
 
 } // namespace

@@ -57,9 +57,12 @@ struct State {
 	std::uint32_t carrier = 0;
 	Vec3 local;
 	float local_heading = 0.0f;
+	/// Something holds the body back: level, towards the body; its length, 0 to 1, is the share of a wish away from
+	/// there that is not followed.
+	Vec3 hold;
 
 	/// How many numbers it is.
-	static constexpr std::size_t WORDS = 27;
+	static constexpr std::size_t WORDS = 29;
 	using Words = std::array<std::uint32_t, WORDS>;
 	Words words() const;
 	/// Takes over numbers; returns false, and stays as it is, where they can be nobody's.

@@ -50,6 +50,24 @@ Wish in_stance(Stance p_stance, float p_speed = 0.0f) {
 
 } // namespace
 
+TEST(who_is_held_back_goes_no_further_but_comes_back) {
+	Walker walker;
+	walker.walk(60, ahead(1.5f));
+	walker.state.hold = { 0.0f, 0.0f, -1.0f };
+	walker.walk(60, ahead(1.5f));
+	CHECK(std::fabs(walker.state.velocity.z) < 1e-3f);
+	// Sideways and back nothing holds.
+	Wish aside = ahead(1.5f);
+	aside.x = 1.0f;
+	walker.walk(60, aside);
+	CHECK(walker.state.velocity.x > 0.8f && std::fabs(walker.state.velocity.z) < 1e-3f);
+	walker.walk(60, ahead(-1.5f));
+	CHECK(walker.state.velocity.z < -1.0f);
+	walker.state.hold = { 0.0f, 0.0f, -0.5f };
+	walker.walk(60, ahead(1.5f));
+	CHECK(std::fabs(walker.state.velocity.z - 0.75f) < 1e-3f);
+}
+
 TEST(who_wishes_to_walk_walks_and_stops) {
 	Walker walker;
 	walker.walk(60, ahead(1.5f));

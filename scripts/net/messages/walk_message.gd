@@ -7,7 +7,7 @@ extends RefCounted
 ## number of the correction, then the state as [method WalkerMover.get_state] has it.
 
 ## Bytes of a state.
-const STATE_BYTES: int = 108
+const STATE_BYTES: int = 116
 
 ## Entity of the person.
 var person: int = 0

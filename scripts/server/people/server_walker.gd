@@ -7,8 +7,15 @@ extends RefCounted
 ## While physics has the body, which has fallen or is thrown, the walker follows the body, and goes
 ## on when that stands.
 
-## How far the body may be held back from the walker, m: beyond that the walker waits for it.
-const MAX_TETHER_M: float = 0.5
+## How far the body may be behind a walker that stands, m, and how much further for each m/s: it is
+## in running. From there on the walker gets slower away from the body, goes no further when the body
+## is so much further behind, m, and is put back beyond the last distance.
+const FREE_M: float = 0.15
+const FREE_S: float = 0.06
+const HOLD_M: float = 0.25
+const MAX_TETHER_M: float = 0.8
+## By how much of itself the hold changes at once: a client hears of each change.
+const _HOLD_STEP: float = 0.25
 ## How much longer than it is a standing leg of the body is to be at most, m
 ## ([member RagdollMotor.leg_push]).
 const LEG_PUSH: float = 0.01
@@ -38,6 +45,8 @@ var _number: int = 0
 var _sample: PoseSample = null
 ## Where the pose of the last tick had the hips, m.
 var _hips: Vector3 = Vector3.ZERO
+## What holds the walker back, see [method WalkerMover.set_hold].
+var _hold: Vector2 = Vector2.ZERO
 ## From where the walker is to where the motion still is, m.
 var _behind: Vector3 = Vector3.ZERO
 var _root_mode: RagdollMotor.RootMode = RagdollMotor.ROOT_GROUNDED
@@ -113,15 +122,28 @@ func _follow_body() -> void:
 		mover.place(_feet(), mover.get_heading())
 		_pose.restart(mover)
 	elif mover.get_mode() == WalkerMover.WALK:
-		var behind: Vector3 = _find_off()
-		if behind.length() > MAX_TETHER_M:
-			mover.push(behind.limit_length(behind.length() - MAX_TETHER_M))
-			waits += 1
+		_hold_back(_find_off())
 	if person.sitting != null:
 		return
 	# Hands climb where feet find nothing.
 	var is_climbing: bool = mover.get_mode() in [WalkerMover.VAULT, WalkerMover.LADDER]
 	motor.root_mode = RagdollMotor.ROOT_SOFT if is_climbing else _root_mode
+
+
+## Lets the walker wait for a body that something holds. It goes by steps, as each change of the
+## state is a message, and a walker that is held for long costs none.
+func _hold_back(p_off: Vector3) -> void:
+	var off: Vector2 = Vector2(p_off.x, p_off.z)
+	var free: float = FREE_M + FREE_S * mover.get_velocity().length()
+	var share: float = clampf((off.length() - free) / HOLD_M, 0.0, 1.0)
+	var hold: Vector2 = off.normalized() * share
+	if hold.distance_to(_hold) > _HOLD_STEP or (share == 0.0 and off.length() < 0.8 * free):
+		_hold = hold
+	mover.set_hold(_hold)
+	_lead.held = _hold.length()
+	if off.length() > MAX_TETHER_M:
+		mover.push(p_off.limit_length(off.length() - MAX_TETHER_M))
+		waits += 1
 
 
 ## From where the walker has the hips to where they are, level, m.

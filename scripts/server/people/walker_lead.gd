@@ -11,6 +11,8 @@ const MAX_SPEED: float = 0.2
 const MAX_SHARE: float = 0.15
 ## The most that the motion is ahead, m: beyond that something holds the body.
 const MAX_LEAD: float = 0.6
+## How fast a motion comes back that is further ahead than it may be, m/s.
+const RETURN_SPEED: float = 1.0
 ## Speed below which a walker stands, m/s.
 const STANDING_SPEED: float = 0.2
 ## Time after which a body has come to rest, s. Then, where it is off by more than the first
@@ -21,6 +23,9 @@ const OFF_TO: float = 0.05
 const STEPPING_SPEED: float = 0.35
 const STEPPING_S: float = 3.0
 
+## Share of [constant MAX_LEAD] that is not to be used, as something holds the body: pressing harder
+## would throw it back.
+var held: float = 0.0
 ## From the walker to where the motion is, m, level.
 var lead: Vector3 = Vector3.ZERO
 ## How fast that changes, m/s.
@@ -55,6 +60,8 @@ func advance(p_off: Vector3, p_speed: float, p_stops: bool, p_delta_s: float) ->
 	elif not p_stops:
 		_steps = false
 		wanted = (off * -GAIN).limit_length(MAX_SPEED + MAX_SHARE * p_speed)
-	var next: Vector3 = (lead + wanted * p_delta_s).limit_length(MAX_LEAD)
+	var next: Vector3 = lead + wanted * p_delta_s
+	var most: Vector3 = next.limit_length(MAX_LEAD * (1.0 - held))
+	next = next.move_toward(most, RETURN_SPEED * p_delta_s)
 	velocity = (next - lead) / p_delta_s
 	lead = next

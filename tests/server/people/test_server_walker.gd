@@ -34,6 +34,24 @@ func test_the_body_walks_where_the_walker_does() -> void:
 	equal(_body.down_ticks, 0)
 
 
+func test_a_walker_waits_for_a_body_that_something_light_holds() -> void:
+	var wall: StaticBody3D = StaticBody3D.new()
+	wall.add_child(BenchBodies.box(Vector3(6.0, 2.0, 0.4)))
+	wall.position = WalkerCourse.OPEN + Vector3(0.0, 1.0, 2.0)
+	_course.view.add_child(wall)
+	_body.walker.mover.set_passable(wall.get_rid(), true)
+	await _advance(60, Vector2.ZERO)
+	await _advance(240, Vector2(0.0, 1.5))
+	var waits: int = _body.walker.waits
+	var before: Vector3 = _body.walker.mover.get_position()
+	await _advance(120, Vector2(0.0, 1.5))
+	var after: Vector3 = _body.walker.mover.get_position()
+	is_true(absf(after.z - before.z) < 0.15, "%s to %s" % [before, after])
+	is_true(_body.walker.waits < waits + 12, "%d ticks put back" % (_body.walker.waits - waits))
+	await _advance(40, Vector2(0.0, -1.2))
+	is_true(_body.walker.mover.get_position().z < after.z - 0.3, "nothing holds who goes back")
+
+
 func test_nobody_is_faster_than_people_are() -> void:
 	await _advance(60, Vector2.ZERO)
 	await _advance(60, Vector2(600.0, 0.0))
