@@ -7,9 +7,9 @@ extends RefCounted
 ## While physics has the body, which has fallen or is thrown, the walker follows the body, and goes
 ## on when that stands.
 
-## How far the body may be behind a walker that stands, m, and how much further for each m/s: it is
-## in running. From there on the walker gets slower away from the body, goes no further when the body
-## is so much further behind, m, and is put back beyond the last distance.
+## How far the body may be behind, m, while the walker stands, and how much further for each m/s of
+## its speed. From there on the walker gets slower away from the body; when that is so much further
+## behind, m, it goes no further; beyond the last distance it is put back.
 const FREE_M: float = 0.15
 const FREE_S: float = 0.06
 const HOLD_M: float = 0.25
