@@ -19,6 +19,10 @@ const _HOLD_STEP: float = 0.25
 ## How much longer than it is a standing leg of the body is to be at most, m
 ## ([member RagdollMotor.leg_push]).
 const LEG_PUSH: float = 0.01
+## Height of hips above the feet's ground below which somebody lies, m, and by how much they are
+## raised in crawling: a belly on the ground holds the body.
+const LYING_M: float = 0.4
+const CRAWL_M: float = 0.05
 ## Speed with which the motion comes to where a walker was put, m/s.
 const GLIDE: float = 5.0
 ## Time without an input after which the walker stands still, s.
@@ -43,6 +47,7 @@ var _silent_s: float = 0.0
 var _number: int = 0
 # The last sample that the body has taken from here.
 var _sample: PoseSample = null
+var _crawls: bool = false
 ## Where the pose of the last tick had the hips, m.
 var _hips: Vector3 = Vector3.ZERO
 ## What holds the walker back, see [method WalkerMover.set_hold].
@@ -125,9 +130,10 @@ func _follow_body() -> void:
 		_hold_back(_find_off())
 	if person.sitting != null:
 		return
-	# Hands climb where feet find nothing.
+	# Hands climb where feet find nothing, and elbows and knees crawl.
+	_crawls = _is_crawling()
 	var is_climbing: bool = mover.get_mode() in [WalkerMover.VAULT, WalkerMover.LADDER]
-	motor.root_mode = RagdollMotor.ROOT_SOFT if is_climbing else _root_mode
+	motor.root_mode = RagdollMotor.ROOT_SOFT if is_climbing or _crawls else _root_mode
 
 
 ## Lets the walker wait for a body that something holds. It goes by steps, as each change of the
@@ -151,6 +157,13 @@ func _find_off() -> Vector3:
 	var off: Vector3 = person.hips() - _hips + _lead.lead
 	off.y = 0.0
 	return off
+
+
+## Whether somebody who lies wants to get on.
+func _is_crawling() -> bool:
+	if mover.get_stance() != WalkerMover.PRONE or _input.wish.is_zero_approx():
+		return false
+	return person.hips().y - mover.get_position().y < LYING_M
 
 
 ## What is below the hips, m.
@@ -182,6 +195,8 @@ func _push(p_tick: int, p_now_s: float, p_delta_s: float) -> void:
 	var sample: PoseSample = _pose.advance(mover, _input, p_delta_s, -lead, _lead.velocity)
 	_glide(sample, p_delta_s)
 	_hips = sample.root
+	if _crawls:
+		sample.root.y += CRAWL_M
 	sample.id = inputs & 0xFFFFFFFF
 	sample.time_usec = roundi((p_tick + 1) * p_delta_s * 1e6)
 	var frame: Transform3D = person.ragdoll.motor.get_frame()

@@ -52,6 +52,14 @@ func test_a_walker_waits_for_a_body_that_something_light_holds() -> void:
 	is_true(_body.walker.mover.get_position().z < after.z - 0.3, "nothing holds who goes back")
 
 
+func test_who_crawls_gets_on() -> void:
+	await _advance(90, Vector2.ZERO, WalkerMover.PRONE)
+	var before: float = _body.person.hips().z
+	await _advance(240, Vector2(0.0, 0.6), WalkerMover.PRONE)
+	is_true(_body.person.hips().y < 0.4, "it lies")
+	is_true(_body.person.hips().z > before + 1.2, "%.2f m" % (_body.person.hips().z - before))
+
+
 func test_nobody_is_faster_than_people_are() -> void:
 	await _advance(60, Vector2.ZERO)
 	await _advance(60, Vector2(600.0, 0.0))
@@ -100,9 +108,12 @@ func test_who_is_shoved_falls_gets_up_and_walks_on() -> void:
 	is_true(_body.person.hips().z - from.z > 1.0)
 
 
-func _advance(p_ticks: int, p_wish: Vector2) -> void:
+func _advance(
+	p_ticks: int, p_wish: Vector2, p_stance: WalkerMover.Stance = WalkerMover.STAND
+) -> void:
 	for _tick: int in p_ticks:
 		await physics_frames(1)
 		var input: WalkerInput = WalkerInput.new()
 		input.wish = p_wish
+		input.stance = p_stance
 		_body.advance(input)
