@@ -7,6 +7,7 @@ extends Bench
 
 const WalkerCourse: GDScript = preload("res://tests/bench/walker/walker_course.gd")
 const WalkerLine: GDScript = preload("res://tests/bench/walker/walker_line.gd")
+const WalkerKnocks: GDScript = preload("res://tests/bench/walker/walker_knocks.gd")
 const WalkerBody: GDScript = preload("res://tests/bench/walker/walker_body.gd")
 const SCENES: Array[String] = [
 	"all", "equal", "cost", "stairs", "corners", "network", "body", "shove", "crowd"
@@ -32,8 +33,6 @@ const GAITS: Dictionary[String, String] = {
 ## Bodies that walk side by side, and for how long, ticks.
 const BODIES: int = 4
 const BODY_TICKS: int = 420
-## Impulse of a shove at the chest, N s.
-const SHOVE: float = 160.0
 ## Walkers of a crowd.
 const CROWD: int = 64
 const TICK_S: float = 1.0 / 60.0
@@ -287,55 +286,16 @@ func _report_bodies(p_name: String, p_bodies: Array[WalkerBody]) -> void:
 	report.add(p_name, "ticks waited for the body", sums[4], "of %d" % (BODIES * BODY_TICKS))
 
 
-## Shoves out of a stand, a walk and a run: who falls gets up, and walks again.
+## Knocks people out of a stand, a walk and a run: who falls gets up, and walks again.
 func _measure_shoves(p_course: WalkerCourse) -> void:
-	var chance: RandomNumberGenerator = RandomNumberGenerator.new()
-	chance.seed = option("seed")
-	var times: Statistics = Statistics.new()
-	var fallen: int = 0
-	var back: int = 0
-	for shove: int in option("shoves"):
-		var body: WalkerBody = WalkerBody.new(p_course.view, WalkerCourse.OPEN)
-		var way: Vector3 = Vector3.BACK.rotated(Vector3.UP, chance.randf() * TAU)
-		var up_s: float = await _shove(body, [0.0, 1.5, 3.0][shove % 3], way * SHOVE)
-		if body.down_ticks > 0:
-			fallen += 1
-			times.add(up_s)
-			back += int(await _walks_again(body))
-		body.free_all()
-		await process_frame
-	report.add("shoves of 160 N s", "fallen", fallen, "of %d" % option("shoves"))
-	report.at_most("shoves of 160 N s", "up again, worst", times.percentile(1.0), "s", 4.0)
-	report.at_least("shoves of 160 N s", "walk again", back, "of %d" % fallen, fallen)
-
-
-## Shoves somebody who goes at a speed; returns how long it takes to stand again, s.
-func _shove(p_body: WalkerBody, p_speed: float, p_impulse: Vector3) -> float:
-	var down: int = -1
-	for tick: int in 900:
-		await physics_frame
-		var input: WalkerInput = WalkerInput.new()
-		input.wish.y = p_speed if tick > 60 and tick < 150 else 0.0
-		if tick == 150:
-			var chest: RID = p_body.person.ragdoll.get_bodies()[Limbs.CHEST]
-			PhysicsServer3D.body_apply_central_impulse(chest, p_impulse)
-		p_body.advance(input)
-		var is_down: bool = p_body.walker.mover.get_mode() == WalkerMover.BODY
-		if is_down and down < 0:
-			down = tick
-		elif not is_down and (down >= 0 or tick > 300):
-			return maxf(tick - down, 0) * TICK_S
-	return INF
-
-
-func _walks_again(p_body: WalkerBody) -> bool:
-	var from: Vector3 = p_body.person.hips()
-	for tick: int in 150:
-		await physics_frame
-		var input: WalkerInput = WalkerInput.new()
-		input.wish.y = 1.5
-		p_body.advance(input)
-	return p_body.person.hips().distance_to(from) > 1.0
+	for kind: String in WalkerKnocks.KINDS:
+		var knocks: WalkerKnocks = WalkerKnocks.new(p_course, option("seed"))
+		for number: int in option("shoves"):
+			await knocks.knock(kind, number)
+		report.add(kind, "fallen", knocks.fallen, "of %d" % option("shoves"))
+		report.at_most(kind, "up again, median", knocks.times.percentile(0.5), "s", 4.0)
+		report.at_most(kind, "up again, worst", knocks.times.percentile(1.0), "s", 4.0)
+		report.at_least(kind, "walk again", knocks.back, "of %d" % knocks.fallen, knocks.fallen)
 
 
 ## What walkers cost a server besides their bodies' motors.
