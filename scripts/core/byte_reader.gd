@@ -151,6 +151,11 @@ func read_bytes(p_size: int) -> PackedByteArray:
 	return _bytes.slice(_at - p_size, _at) if _take(p_size) else PackedByteArray()
 
 
+## Leaves out this many bytes.
+func skip(p_size: int) -> void:
+	_take(p_size)
+
+
 ## A text: its length in bytes as u16, and UTF-8 without control characters.
 func read_text(p_most_bytes: int) -> String:
 	var size: int = read_u16()

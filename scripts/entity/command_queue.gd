@@ -16,10 +16,11 @@ const MAX_BURST: int = 60
 
 ## Number of the newest command that was applied, or -1.
 var applied: int = -1
+## Number of the newest command that was taken, or -1.
+var newest: int = -1
 ## Commands that were refused because there were too many.
 var refused: int = 0
 
-var _newest: int = -1
 var _waiting: Array[EntityCommand] = []
 var _arrival_ticks: PackedInt32Array = PackedInt32Array()
 var _allowance: float = MAX_BURST
@@ -27,13 +28,13 @@ var _allowance: float = MAX_BURST
 
 ## Takes a command that arrived during a tick. Returns false if it is a repetition or refused.
 func push(p_command: EntityCommand, p_now_tick: int) -> bool:
-	if _newest >= 0 and not is_newer(p_command.number, _newest):
+	if newest >= 0 and not is_newer(p_command.number, newest):
 		return false
 	if _waiting.size() >= MAX_WAITING or _allowance < 1.0:
 		refused += 1
 		return false
 	_allowance -= 1.0
-	_newest = p_command.number
+	newest = p_command.number
 	_waiting.append(p_command)
 	_arrival_ticks.append(p_now_tick)
 	return true

@@ -15,6 +15,11 @@ const MAX_REPEATED: int = 8
 const MAX_BYTES: int = 128
 
 
+## Number of the newest command in a datagram; -1 where it is too short to have one.
+static func newest_in(p_bytes: PackedByteArray) -> int:
+	return p_bytes.decode_u16(1) if p_bytes.size() >= 3 else -1
+
+
 ## The bytes; the newest command is the last one.
 static func encode(p_commands: Array[EntityCommand]) -> PackedByteArray:
 	var bytes: PackedByteArray = [Protocol.Message.COMMAND, 0, 0, p_commands.size()]
@@ -36,37 +41,46 @@ static func encode(p_commands: Array[EntityCommand]) -> PackedByteArray:
 	return bytes
 
 
-## The commands in a datagram, oldest first; none if it is invalid.
-static func decode(p_bytes: PackedByteArray) -> Array[EntityCommand]:
+## The commands in a datagram that are newer than the one whose number is given (-1: all of them),
+## oldest first; none if it is invalid. Most are known, and need not be made again.
+static func decode(p_bytes: PackedByteArray, p_known: int = -1) -> Array[EntityCommand]:
 	var commands: Array[EntityCommand] = []
 	var reader: ByteReader = ByteReader.new(p_bytes, 1)
 	var newest: int = reader.read_u16()
 	var count: int = reader.read_u8()
 	if count < 1 or count > MAX_REPEATED:
 		return []
+	var head: EntityCommand = EntityCommand.new()
 	var size: int = 0
 	for index: int in count:
-		var command: EntityCommand = EntityCommand.new()
-		command.number = (newest - (count - 1 - index)) & 0xFFFF
 		var goes_on: int = reader.read_u8()
 		if goes_on > 1 or (goes_on == 1 and index == 0):
 			return []
 		if goes_on == 1:
-			command.tick = (commands[-1].tick + 1) & 0xFFFFFFFF
-			command.entity = commands[-1].entity
-			command.command = commands[-1].command
+			head.tick = (head.tick + 1) & 0xFFFFFFFF
 		else:
-			command.tick = reader.read_u32()
-			command.entity = reader.read_u16()
-			command.command = reader.read_u8()
+			head.tick = reader.read_u32()
+			head.entity = reader.read_u16()
+			head.command = reader.read_u8()
 			size = reader.read_u8()
 		if size > MAX_BYTES:
 			return []
-		command.bytes = reader.read_bytes(size)
-		commands.append(command)
-	if not reader.is_complete():
-		commands.clear()
-	return commands
+		head.number = (newest - (count - 1 - index)) & 0xFFFF
+		if p_known >= 0 and not CommandQueue.is_newer(head.number, p_known):
+			reader.skip(size)
+		else:
+			commands.append(_made(head, reader.read_bytes(size)))
+	return commands if reader.is_complete() else ([] as Array[EntityCommand])
+
+
+static func _made(p_head: EntityCommand, p_values: PackedByteArray) -> EntityCommand:
+	var command: EntityCommand = EntityCommand.new()
+	command.number = p_head.number
+	command.tick = p_head.tick
+	command.entity = p_head.entity
+	command.command = p_head.command
+	command.bytes = p_values
+	return command
 
 
 static func _goes_on(p_before: EntityCommand, p_command: EntityCommand) -> bool:

@@ -214,20 +214,26 @@ func _on_despawned(p_row: EntityRow) -> void:
 
 
 func _on_commands(p_session: Session, p_bytes: PackedByteArray, _arrival_usec: int) -> String:
-	var commands: Array[EntityCommand] = CommandMessage.decode(p_bytes)
+	var queue: CommandQueue = _queues.get(p_session.id)
+	var known: int = queue.newest if queue != null else -1
+	var newest: int = CommandMessage.newest_in(p_bytes)
+	if known >= 0 and not CommandQueue.is_newer(newest, known):
+		# It was overtaken, and all that it has is known: it is only checked.
+		known = -1
+	var commands: Array[EntityCommand] = CommandMessage.decode(p_bytes, known)
 	if commands.is_empty():
 		return "commands that are none"
-	var queue: CommandQueue = _queues.get(p_session.id)
-	if queue != null:
-		var refused: int = queue.refused
-		for command: EntityCommand in commands:
-			queue.push(command, _tick)
-		if queue.refused > refused:
-			_link.complain(
-				p_session,
-				"commands",
-				"sends more than %d commands a second" % CommandQueue.MAX_PER_SECOND
-			)
+	if queue == null:
+		return ""
+	var refused: int = queue.refused
+	for command: EntityCommand in commands:
+		queue.push(command, _tick)
+	if queue.refused > refused:
+		_link.complain(
+			p_session,
+			"commands",
+			"sends more than %d commands a second" % CommandQueue.MAX_PER_SECOND
+		)
 	return ""
 
 

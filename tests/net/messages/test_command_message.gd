@@ -48,6 +48,26 @@ func test_a_command_that_goes_on_costs_its_values_and_a_byte() -> void:
 		equal([read[index].tick, read[index].entity, read[index].command], [500 + index, 1, 1])
 
 
+func test_what_is_known_is_not_made_again() -> void:
+	var commands: Array[EntityCommand] = []
+	for number: int in 8:
+		var command: EntityCommand = EntityCommand.new()
+		command.number = (65533 + number) & 0xFFFF
+		command.tick = 500 + number
+		command.entity = 3 if number < 5 else 4
+		command.bytes = NetSamples.noise(_random, 20)
+		commands.append(command)
+	var bytes: PackedByteArray = CommandMessage.encode(commands)
+	equal(CommandMessage.newest_in(bytes), 4)
+	for known: int in 8:
+		var read: Array[EntityCommand] = CommandMessage.decode(bytes, commands[known].number)
+		equal(read.size(), 7 - known)
+		for index: int in read.size():
+			var sent: EntityCommand = commands[known + 1 + index]
+			equal([read[index].number, read[index].tick], [sent.number, sent.tick])
+			equal([read[index].entity, read[index].bytes], [sent.entity, sent.bytes])
+
+
 func test_events_go_through() -> void:
 	var events: Array[EntityEvent] = []
 	for number: int in 5:
