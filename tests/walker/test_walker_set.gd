@@ -24,7 +24,7 @@ func test_what_is_refused_says_why() -> void:
 	equal(_fault(MadeSets.of(["slow walk"])), "it lacks standing: nobody can walk by it")
 	var large: PackedByteArray = small.duplicate()
 	large.resize(MotionSetMessage.MAX_BYTES + 1)
-	contains(_fault(large), "it is larger than 2.1 MB")
+	contains(_fault(large), "it is larger than 1.6 MB")
 
 
 func test_what_a_walker_does_by_damaged_bytes_stays_a_pose() -> void:

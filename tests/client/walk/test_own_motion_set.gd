@@ -105,7 +105,7 @@ func test_files_that_are_none() -> void:
 	contains(_open("a text, by mistake".to_utf8_buffer()), PATH + ": this is no motion set")
 	var large: PackedByteArray = []
 	large.resize(MotionSetMessage.MAX_BYTES + 1)
-	contains(_open(large), PATH + ": it is larger than 2.1 MB")
+	contains(_open(large), PATH + ": it is larger than 1.6 MB")
 	contains(OwnMotionSet.new().open(ClientLink.new(), "/proc"), "--motion-set: cannot read /proc")
 
 

@@ -64,7 +64,7 @@ func test_a_refusal_names_the_peer_and_the_reason() -> void:
 		"this is no motion set": broken,
 		"it lacks walking ahead": MadeSets.of(["stand"]),
 		"the motion set goes on behind its last clip": MadeSets.small() + PackedByteArray([0]),
-		"it is larger than 2.1 MB": far_too_large,
+		"it is larger than 1.6 MB": far_too_large,
 	}
 	for why: String in cases:
 		var end: LinkPair.End = _join(Roles.Role.TRAINEE, "Ada %d" % _pair.ends.size())
