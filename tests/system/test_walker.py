@@ -79,6 +79,15 @@ def test_a_walker_s_own_gait_is_the_server_s_body_s_too(world: World) -> None:
     row = told["walkers"][ada_is]
     assert math.dist(row["position"][::2], row["hips"][::2]) < 1.0, row
     server.await_line("'Ada' (", "walks by a motion set of 3 clips", own)
+    # Another level has other walkers, of the same people.
+    instructor = world.instructor()
+    instructor.type("level yard")
+    instructor.await_text("the world is now 'yard'")
+    told = server.await_report(
+        lambda told: told["level"]["name"] == "yard" and len(told["walkers"]) == 2
+    )
+    assert {row["name"]: row["motion_set"] for row in told["walkers"]} == names
+    assert told["motion_sets"] == {"taken": 1, "refused": 0}
     assert "ERROR" not in ada.log()
     assert "ERROR" not in server.log()
 

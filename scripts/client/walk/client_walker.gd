@@ -75,7 +75,8 @@ func report() -> Dictionary:
 		var feet: Vector3 = _legs.ground.mover.get_position()
 		var facts: Dictionary = {"share": _legs.share(), "position": [feet.x, feet.y, feet.z]}
 		if _own_set.own != null:
-			facts["motion_set"] = _own_set.report()
+			# The server knows of no walker here.
+			facts["motion_set"] = _own_set.own.id
 		return {"legs": facts}
 	if _source == null:
 		return {}
