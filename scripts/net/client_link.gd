@@ -44,6 +44,10 @@ var traffic: TrafficMeter = TrafficMeter.new()
 var clock: ClockSync = ClockSync.new()
 ## Number of our session, once joined.
 var session: int = 0
+## Whether that is the session that we had before the connection was lost.
+var came_back: bool:
+	get:
+		return _handshake.came_back
 ## Whether the connection is sealed.
 var seals: bool:
 	get:

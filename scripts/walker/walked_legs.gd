@@ -111,6 +111,13 @@ func embody(p_hip_height: float, p_joints: PersonSkeleton) -> void:
 	_mutex.unlock()
 
 
+## The legs go on by a set of the person's own; null: by that of everybody.
+func use_set(p_set: WalkerSet) -> void:
+	_mutex.lock()
+	_pose.use_set(p_set)
+	_mutex.unlock()
+
+
 ## Looks whether hands wish something, while nobody walks: call it in each frame of a length, s.
 func listen(p_delta_s: float) -> void:
 	if _is_called or not read_input.is_valid():

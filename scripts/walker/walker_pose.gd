@@ -8,7 +8,7 @@ const DEFAULT_SET: String = "res://assets/motion/walker.motionset"
 ## How far a head turns from where the body faces, rad.
 const MAX_NECK: float = 1.2
 
-static var _set: MotionSet = null
+static var _default: MotionSet = null
 
 ## Height of the hips, m.
 var hip_height: float = 0.95
@@ -18,17 +18,22 @@ var _matcher: MotionMatcher = MotionMatcher.new()
 
 func _init() -> void:
 	prepare()
-	_matcher.set_motion_set(_set)
+	_matcher.set_motion_set(_default)
 
 
-## Reads the motion set, which takes most of a tick: call it before nobody may wait for that.
+## Reads the set of everybody, which takes most of a tick: call it before nobody may wait for that.
 static func prepare() -> void:
-	if _set != null:
+	if _default != null:
 		return
-	_set = MotionSet.new()
-	var fault: String = _set.load_file(DEFAULT_SET)
+	_default = MotionSet.new()
+	var fault: String = _default.load_file(DEFAULT_SET)
 	if fault != "":
 		Log.error("walker", fault)
+
+
+## Goes on by a set of the person's own, from the pose at hand; null: by that of everybody.
+func use_set(p_set: WalkerSet) -> void:
+	_matcher.change_motion_set(p_set.motion if p_set != null else _default)
 
 
 ## Takes the body that it moves: height of the hips, m, and the joints.

@@ -57,6 +57,11 @@ func embody(p_hip_height: float, p_joints: PersonSkeleton) -> void:
 	_pose.set_body(p_hip_height, p_joints)
 
 
+## Goes on by a set of the person's own; null: by that of everybody.
+func use_set(p_set: WalkerSet) -> void:
+	_pose.use_set(p_set)
+
+
 ## Begins anew: another server, or another body.
 func restart() -> void:
 	prediction.clear()

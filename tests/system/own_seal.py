@@ -10,7 +10,7 @@ import struct
 
 from toolchain.paths import SERVER_BINARY
 
-VERSION = 8
+VERSION = 9
 
 _SODIUM = ctypes.CDLL(str(SERVER_BINARY.parent / "libsodium.so.23"))
 

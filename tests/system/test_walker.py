@@ -3,7 +3,10 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
+import struct
+from pathlib import Path
 from typing import Any
 
 from .conftest import CLIPS, WINDOW_LIMIT_S, World
@@ -33,6 +36,74 @@ def test_who_names_no_source_walks_with_a_body(world: World) -> None:
     server.await_line("'Ada' (", "left")
     assert "ERROR" not in trainee.log()
     assert "ERROR" not in server.log()
+
+
+def _own_set(file: Path) -> str:
+    """Writes a set of three clips of the shipped one; returns what reports call it."""
+    shipped = (CLIPS / "walker.motionset").read_bytes()
+    at, clips = 8, {}
+    for _ in range(struct.unpack_from("<H", shipped, 6)[0]):
+        begin, name = at, shipped[at + 1 : at + 1 + shipped[at]].decode()
+        at += 1 + shipped[at] + 1
+        at += 4 + 8 + 153 * int(struct.unpack_from("<I", shipped, at)[0])
+        clips[name] = shipped[begin:at]
+    assert at == len(shipped)
+    chosen = [bytes for name, bytes in clips.items() if name.split()[0] in ("stand", "slow")]
+    data = shipped[:6] + struct.pack("<H", len(chosen)) + b"".join(chosen)
+    file.write_bytes(data)
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def test_a_walker_s_own_gait_is_the_server_s_body_s_too(world: World) -> None:
+    file = world.folder / "ada.motionset"
+    own = _own_set(file)
+    server = world.server()
+    walk = ("--walk=1.2:0:25:1000", "--fps=60")
+    ada = world.client("trainee", "--name=Ada", f"--motion-set={file}", *walk, name="ada")
+    world.client("trainee", "--name=Bob", *walk, name="bob")
+    told = server.await_report(
+        lambda told: (
+            sorted(row["motion_set"] for row in told["walkers"]) == sorted([own, "shipped"])
+        )
+    )
+    names = {row["name"]: row["motion_set"] for row in told["walkers"]}
+    assert names == {"Ada": own, "Bob": "shipped"}
+    assert told["motion_sets"] == {"taken": 1, "refused": 0}
+    ada.await_report(lambda seen: seen["walking"]["motion_set"] == {"id": own, "state": "TAKEN"})
+    # It walks on by it, on its feet.
+    ada_is = [row["name"] for row in told["walkers"]].index("Ada")
+    begin = told["walkers"][ada_is]["position"]
+    told = server.await_report(
+        lambda told: math.dist(told["walkers"][ada_is]["position"], begin) > 1.5
+    )
+    row = told["walkers"][ada_is]
+    assert math.dist(row["position"][::2], row["hips"][::2]) < 1.0, row
+    server.await_line("'Ada' (", "walks by a motion set of 3 clips", own)
+    # Another level has other walkers, of the same people.
+    instructor = world.instructor()
+    instructor.type("level yard")
+    instructor.await_text("the world is now 'yard'")
+    told = server.await_report(
+        lambda told: told["level"]["name"] == "yard" and len(told["walkers"]) == 2
+    )
+    assert {row["name"]: row["motion_set"] for row in told["walkers"]} == names
+    assert told["motion_sets"] == {"taken": 1, "refused": 0}
+    assert "ERROR" not in ada.log()
+    assert "ERROR" not in server.log()
+
+
+def test_a_set_that_is_none_is_refused_with_a_sentence(world: World) -> None:
+    world.server()
+    for name, content, why in [
+        ("none", None, "cannot read"),
+        ("text", b"walk, walk", "this is no motion set"),
+    ]:
+        file = world.folder / f"{name}.motionset"
+        if content is not None:
+            file.write_bytes(content)
+        client = world.client("trainee", f"--motion-set={file}", name=name)
+        assert client.await_exit() == 2
+        assert "--motion-set: " in client.log() and why in client.log()
 
 
 def test_a_walker_s_legs_carry_a_worn_motion(world: World) -> None:

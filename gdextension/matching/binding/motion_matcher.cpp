@@ -18,6 +18,11 @@ void MotionMatcher::set_motion_set(const Ref<MotionSet> &p_set) {
 	_core.set_motion_set(p_set->core());
 }
 
+void MotionMatcher::change_motion_set(const Ref<MotionSet> &p_set) {
+	ERR_FAIL_COND_MSG(p_set.is_null() || p_set->core() == nullptr, "Load a motion set first.");
+	_core.change_motion_set(p_set->core());
+}
+
 void MotionMatcher::set_body(double p_hip_height, const PackedFloat32Array &p_lengths) {
 	ERR_FAIL_COND_MSG(!(p_hip_height > 0.1 && p_hip_height < MAX_M), "A hip height is between 0.1 and 3 m.");
 	const auto length = [&](std::size_t p_limb) {
@@ -112,6 +117,7 @@ Ref<MotionMatcher> MotionMatcher::copy() const {
 
 void MotionMatcher::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_motion_set", "set"), &MotionMatcher::set_motion_set);
+	ClassDB::bind_method(D_METHOD("change_motion_set", "set"), &MotionMatcher::change_motion_set);
 	ClassDB::bind_method(D_METHOD("set_body", "hip_height", "lengths"), &MotionMatcher::set_body);
 	ClassDB::bind_method(
 			D_METHOD("set_joints", "hip_height", "joints_in_parent", "joints_in_limb"), &MotionMatcher::set_joints);

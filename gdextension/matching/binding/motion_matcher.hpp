@@ -23,6 +23,7 @@ public:
 	};
 
 	void set_motion_set(const Ref<MotionSet> &p_set);
+	void change_motion_set(const Ref<MotionSet> &p_set);
 	void set_body(double p_hip_height, const PackedFloat32Array &p_lengths);
 	void set_joints(double p_hip_height, const PackedVector3Array &p_joints_in_parent,
 			const PackedVector3Array &p_joints_in_limb);

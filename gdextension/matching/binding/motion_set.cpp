@@ -35,8 +35,8 @@ String MotionSet::load_bytes(const PackedByteArray &p_bytes) {
 	if (!fault.empty()) {
 		return from_text(fault);
 	}
-	_clips = clips;
-	_core = std::make_shared<const matching::MotionSet>(std::move(clips));
+	_clips = std::move(clips);
+	_core = std::make_shared<const matching::MotionSet>(_clips);
 	return "";
 }
 

@@ -19,6 +19,10 @@ constexpr std::size_t MAX_FRAMES = 100000;
 constexpr float PLACES_PER_UNIT = 8192.0f;
 constexpr float SPEEDS_PER_UNIT = 1024.0f;
 constexpr float TURNS_PER_UNIT = 32000.0f;
+/// What is further from a frame's origin, in heights of the hips, or faster, in heights and rad a second, is no person.
+constexpr float FARTHEST_HIPS = 1.5f;
+constexpr float FARTHEST_ANKLE = 2.5f;
+constexpr float FASTEST = 15.0f;
 constexpr std::size_t NUMBERS = 9 + 3 + 4 * LIMBS;
 constexpr std::size_t FRAME_BYTES = NUMBERS * 2 + 1;
 
@@ -111,7 +115,13 @@ bool read_frame(Reader &r_reader, ClipFrame &r_frame) {
 	r_frame.velocity_x = r_reader.take_scaled(SPEEDS_PER_UNIT);
 	r_frame.velocity_z = r_reader.take_scaled(SPEEDS_PER_UNIT);
 	r_frame.turn_rate = r_reader.take_scaled(SPEEDS_PER_UNIT);
-	bool is_sound = true;
+	bool is_sound = r_frame.pose.hips.length() < FARTHEST_HIPS;
+	for (const Vec3 &ankle : r_frame.pose.ankles) {
+		is_sound = is_sound && ankle.length() < FARTHEST_ANKLE;
+	}
+	for (const float speed : { r_frame.velocity_x, r_frame.velocity_z, r_frame.turn_rate }) {
+		is_sound = is_sound && std::fabs(speed) < FASTEST;
+	}
 	for (Quat &limb : r_frame.pose.limbs) {
 		limb.x = r_reader.take_scaled(TURNS_PER_UNIT);
 		limb.y = r_reader.take_scaled(TURNS_PER_UNIT);

@@ -70,6 +70,19 @@ void MotionMatcher::set_motion_set(std::shared_ptr<const MotionSet> p_set) {
 	reset(_origin, _heading);
 }
 
+void MotionMatcher::change_motion_set(std::shared_ptr<const MotionSet> p_set) {
+	if (_set == nullptr || p_set == nullptr) {
+		set_motion_set(std::move(p_set));
+		return;
+	}
+	if (!_enters) {
+		_entering = _set->features_at({ _player.entry_index(), int(_player.frame()) });
+		_enters = true;
+	}
+	_set = std::move(p_set);
+	_player.reset(*_set);
+}
+
 void MotionMatcher::reset(const Vec3 &p_position, float p_heading) {
 	MotionMatcher fresh;
 	fresh._set = _set;
@@ -361,7 +374,12 @@ void MotionMatcher::advance(float p_delta, const Wish &p_wish) {
 
 	bool is_other = false;
 	const bool goes_on = _player.advance(*_set, p_delta, _rate(p_wish));
-	if (_is_search_due(p_delta, p_wish) || !goes_on) {
+	const bool is_due = _is_search_due(p_delta, p_wish);
+	if (_enters) {
+		_enters = false;
+		is_other = true;
+		_player.enter(*_set, _entering, _predict(p_wish), p_wish.stance, _runs);
+	} else if (is_due || !goes_on) {
 		_searches++;
 		is_other = _player.search(*_set, _predict(p_wish), p_wish.stance, _runs);
 	}

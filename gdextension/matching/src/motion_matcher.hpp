@@ -35,6 +35,8 @@ struct Wish {
 class MotionMatcher {
 public:
 	void set_motion_set(std::shared_ptr<const MotionSet> p_set);
+	/// Goes on by another set, from the pose at hand: nothing jumps.
+	void change_motion_set(std::shared_ptr<const MotionSet> p_set);
 	void set_body(const Body &p_body) { _body = p_body; }
 	const Body &body() const { return _body; }
 	/// Stands at a place from now on.
@@ -112,6 +114,8 @@ private:
 	float _air_share = 0.0f;
 	bool _was_grounded = true;
 	int _searches = 0;
+	bool _enters = false; ///< Another set is entered in the next tick, from these features in the last one.
+	Features _entering{};
 };
 
 } // namespace matching

@@ -21,12 +21,14 @@ bool goes_back(const MotionSet::Entry &p_entry) {
 
 } // namespace
 
-MotionSet::MotionSet(std::vector<Clip> p_recorded) : _recorded(std::move(p_recorded)) {
-	for (std::size_t i = 0; i < _recorded.size(); i++) {
-		if (!_recorded[i].frames.empty()) {
-			level_feet(_recorded[i]);
-			_add(_recorded[i], int(i));
-			_add(mirror(_recorded[i]), int(i));
+MotionSet::MotionSet(const std::vector<Clip> &p_recorded) {
+	for (std::size_t i = 0; i < p_recorded.size(); i++) {
+		if (!p_recorded[i].frames.empty()) {
+			Clip level = p_recorded[i];
+			level_feet(level);
+			Clip twin = mirror(level);
+			_add(std::move(level), int(i));
+			_add(std::move(twin), int(i));
 		}
 	}
 	if (std::none_of(_entries.begin(), _entries.end(), goes_back)) {

@@ -44,9 +44,8 @@ public:
 	/// So many frames before a clip's end nothing begins any more.
 	static constexpr int LAST_FRAMES = 15;
 
-	explicit MotionSet(std::vector<Clip> p_recorded);
+	explicit MotionSet(const std::vector<Clip> &p_recorded);
 
-	const std::vector<Clip> &recorded() const { return _recorded; }
 	const std::vector<Entry> &entries() const { return _entries; }
 	const std::vector<Family> &families() const { return _families; }
 	const FeatureTable &table() const { return _table; }
@@ -67,7 +66,6 @@ private:
 	void _add(Clip p_clip, int p_recorded);
 	void _sort_into_families();
 
-	std::vector<Clip> _recorded;
 	std::vector<Entry> _entries;
 	std::vector<Family> _families;
 	std::vector<std::vector<Features>> _features;

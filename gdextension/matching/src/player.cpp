@@ -32,17 +32,25 @@ void Player::reset(const MotionSet &p_set) {
 	}
 }
 
-bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance, bool p_runs) {
+void Player::enter(
+		const MotionSet &p_set, const Features &p_current, const Way &p_way, Stance p_stance, bool p_runs) {
+	reset(p_set);
+	float own_cost = 0.0f;
+	const FeatureTable::Found best = _nearest(p_set, p_current, p_way, p_stance, p_runs, own_cost);
+	if (best.row >= 0) {
+		_go_to(p_set.place_of(best.row));
+	}
+}
+
+FeatureTable::Found Player::_nearest(const MotionSet &p_set, const Features &p_current, const Way &p_way,
+		Stance p_stance, bool p_runs, float &r_own_cost) const {
 	const Stance stance = p_set.has(p_stance) ? p_stance : STAND;
-	const MotionSet::Place now{ _entry, int(_frame) };
 	const int own_family = entry(p_set).family;
-	const Features &current = p_set.features_at(now);
 	const bool goes = std::hypot(p_way.x[2], p_way.z[2]) > MIN_WAY;
 	const float travel = std::atan2(p_way.x[2], p_way.z[2]);
 	const bool has_both = p_set.has(stance, false) && p_set.has(stance, true);
 	const bool has_gait = p_set.has_gait(stance, p_runs);
 	FeatureTable::Found best;
-	float own_cost = std::numeric_limits<float>::max();
 	for (std::size_t i = 0; i < p_set.families().size(); i++) {
 		const MotionSet::Family &family = p_set.families()[i];
 		if (family.stance != stance || (family.stands == goes && has_both)) {
@@ -52,19 +60,32 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance, b
 		if (std::fabs(turning) > MAX_TURNING) {
 			continue;
 		}
-		Features row = current;
+		Features row = p_current;
 		put_way(p_way, -turning, row);
 		p_set.table().scale(row);
 		const bool is_other_gait = !family.stands && has_gait && family.runs != p_runs;
 		const float extra = TURNING_COST * turning * turning + (is_other_gait ? OTHER_GAIT_COST : 0.0f);
 		if (int(i) == own_family) {
-			own_cost = p_set.table().cost(p_set.row_of(now), row) + extra;
+			r_own_cost = p_set.table().cost(p_set.row_of({ _entry, int(_frame) }), row) + extra;
 		}
 		FeatureTable::Found found = p_set.table().nearest(row, family.first_row, family.end_row, best.cost - extra);
 		if (found.row >= 0) {
 			best = { found.row, found.cost + extra };
 		}
 	}
+	return best;
+}
+
+void Player::_go_to(const MotionSet::Place &p_place) {
+	_entry = p_place.entry;
+	_frame = float(p_place.frame);
+	_direction = 1.0f;
+}
+
+bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance, bool p_runs) {
+	float own_cost = std::numeric_limits<float>::max();
+	const Features &current = p_set.features_at({ _entry, int(_frame) });
+	const FeatureTable::Found best = _nearest(p_set, current, p_way, p_stance, p_runs, own_cost);
 	const bool can_go_on =
 			entry(p_set).stands || _frame < float(entry(p_set).clip.frames.size()) - float(MotionSet::LAST_FRAMES);
 	if (best.row < 0 || (can_go_on && best.cost > own_cost - GOING_ON)) {
@@ -75,9 +96,7 @@ bool Player::search(const MotionSet &p_set, const Way &p_way, Stance p_stance, b
 	if (both_stand || (place.entry == _entry && std::fabs(float(place.frame) - _frame) < SAME_FRAMES && can_go_on)) {
 		return false;
 	}
-	_entry = place.entry;
-	_frame = float(place.frame);
-	_direction = 1.0f;
+	_go_to(place);
 	return true;
 }
 

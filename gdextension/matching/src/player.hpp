@@ -18,6 +18,8 @@ public:
 
 	/// Begins with somebody who stands, where the set has one.
 	void reset(const MotionSet &p_set);
+	/// Goes on in another set, from somebody who moves as given, by that set's moment that fits best.
+	void enter(const MotionSet &p_set, const Features &p_current, const Way &p_way, Stance p_stance, bool p_runs);
 	/// Looks for a better moment of somebody who runs, or does not. Returns whether another one is played now.
 	bool search(const MotionSet &p_set, const Way &p_way, Stance p_stance, bool p_runs);
 	/// Goes on; faster or slower by a rate. Returns false at the end of a clip: a search is due.
@@ -28,6 +30,10 @@ public:
 	float frame() const { return _frame; }
 
 private:
+	/// The moment of a set that fits best to somebody who moves as given; r_own_cost is of going on as now.
+	FeatureTable::Found _nearest(const MotionSet &p_set, const Features &p_current, const Way &p_way, Stance p_stance,
+			bool p_runs, float &r_own_cost) const;
+	void _go_to(const MotionSet::Place &p_place);
 	float _clamped(const MotionSet &p_set, float p_frame) const;
 
 	int _entry = 0;

@@ -48,6 +48,12 @@ TEST(what_is_no_pose_is_refused) {
 	std::vector<uint8_t> zeros = bytes;
 	std::memset(zeros.data() + zeros.size() - 100, 0, 99);
 	CHECK(read_motion_file(zeros.data(), zeros.size(), found) == "clip stand has a frame that is no pose");
+	// Where hips and left ankle of the first frame are, and its velocity: nobody is so far away or so fast.
+	for (const std::size_t number : { 0U, 3U, 9U }) {
+		std::vector<uint8_t> far_off = bytes;
+		far_off[8 + 1 + 5 + 1 + 4 + 8 + 2 * number + 1] = 0x7F;
+		CHECK(read_motion_file(far_off.data(), far_off.size(), found) == "clip stand has a frame that is no pose");
+	}
 	std::vector<uint8_t> newer = bytes;
 	newer[4] = 9;
 	CHECK(read_motion_file(newer.data(), newer.size(), found) ==

@@ -163,6 +163,50 @@ TEST(nothing_jumps_when_the_motion_changes) {
 	}
 }
 
+TEST(another_set_is_taken_up_without_a_jump) {
+	std::vector<Clip> clips = walker_fixture::clips();
+	const Quat turn = exp({ 0.0f, 0.0f, 1.2f });
+	for (Clip &clip : clips) {
+		for (ClipFrame &frame : clip.frames) {
+			// As the mirrored twin has it, too.
+			frame.pose.limbs[LEFT_UPPER_ARM] = turn * frame.pose.limbs[LEFT_UPPER_ARM];
+			frame.pose.limbs[RIGHT_UPPER_ARM] = turn.inverse() * frame.pose.limbs[RIGHT_UPPER_ARM];
+		}
+	}
+	clips.erase(clips.begin() + 1);
+	const auto other = std::make_shared<const MotionSet>(std::move(clips));
+	for (const float speed : { 0.0f, 1.4f, 3.0f }) {
+		MotionMatcher made = matcher();
+		MotionMatcher stays = matcher();
+		Mover mover;
+		mover.want(speed, 0.0f);
+		Pose last = made.pose();
+		for (int i = 0; i < 200; i++) {
+			mover.advance(DELTA);
+			if (i == 100) {
+				made.change_motion_set(walker_fixture::motion_set());
+				// The last of two that come within a tick counts.
+				made.change_motion_set(other);
+				CHECK(made.clip_name() == std::string("stand"));
+			}
+			made.advance(DELTA, mover.wish);
+			stays.advance(DELTA, mover.wish);
+			CHECK(is_pose(made.pose()));
+			if (i >= 90) {
+				const Vec3 step = made.pose().hips - last.hips - mover.wish.velocity * DELTA;
+				CHECK(step.length() < 0.02f);
+				CHECK(kinematics::angle_between(last.limbs[LEFT_UPPER_ARM], made.pose().limbs[LEFT_UPPER_ARM]) < 0.25f);
+			}
+			last = made.pose();
+		}
+		CHECK(kinematics::angle_between(last.limbs[LEFT_UPPER_ARM], stays.pose().limbs[LEFT_UPPER_ARM]) > 0.9f);
+	}
+	MotionMatcher empty;
+	empty.change_motion_set(other);
+	empty.advance(DELTA, Wish());
+	CHECK(is_pose(empty.pose()));
+}
+
 TEST(every_stance_is_a_pose_and_has_its_height) {
 	const std::array<float, STANCES> least{ 0.8f, 0.45f, 0.05f, 0.7f, 0.6f };
 	const std::array<float, STANCES> most{ 1.0f, 0.75f, 0.3f, 1.1f, 1.1f };

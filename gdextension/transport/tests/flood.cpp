@@ -33,7 +33,7 @@ using namespace transport;
 namespace {
 
 /// Protocol.VERSION.
-constexpr uint32_t VERSION = 8;
+constexpr uint32_t VERSION = 9;
 constexpr size_t PORTS = 800;
 constexpr size_t GUESSERS = 40;
 /// Pauses between two honest handshakes, us.

@@ -13,6 +13,7 @@ var _source: WalkerSource = null
 var _legs: WalkedLegs = null
 var _actor: int = -1
 var _worn: HeadsetWalk = null
+var _own_set: OwnMotionSet = OwnMotionSet.new()
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
@@ -31,6 +32,9 @@ func open(p_context: ClientContext) -> String:
 		_controls.list = WalkScript.parse(context.options.text("walk"))
 		if _controls.list.error != "":
 			return _controls.list.error
+	var fault: String = _own_set.open(context.link, context.options.file("motion-set"))
+	if fault != "":
+		return fault
 	context.link.handle(Protocol.Message.WALK, MessageHandlers.Path.RELIABLE, _on_walk)
 	context.link.joined.connect(_restart)
 	var level: ClientLevel = context.scene.get_level()
@@ -41,6 +45,7 @@ func open(p_context: ClientContext) -> String:
 
 func begin_frame() -> void:
 	_meet_source()
+	_own_set.advance(get_process_delta_time(), _source != null)
 	if not _walks():
 		return
 	_controls.hands_off = context.is_menu_open() or context.is_seated
@@ -69,6 +74,9 @@ func report() -> Dictionary:
 	if _legs != null:
 		var feet: Vector3 = _legs.ground.mover.get_position()
 		var facts: Dictionary = {"share": _legs.share(), "position": [feet.x, feet.y, feet.z]}
+		if _own_set.own != null:
+			# The server knows of no walker here.
+			facts["motion_set"] = _own_set.own.id
 		return {"legs": facts}
 	if _source == null:
 		return {}
@@ -83,6 +91,8 @@ func report() -> Dictionary:
 		"stance": prediction.mover.get_stance(),
 		"mode": prediction.mover.get_mode(),
 	}
+	if _own_set.own != null:
+		rows["motion_set"] = _own_set.report()
 	return {"walking": rows}
 
 
@@ -147,6 +157,7 @@ func _meet_source() -> void:
 		_source.due_tick = _due_tick
 		_source.send = _send
 		_source.find_room = _find_room
+	_own_set.give_to(found)
 	ClientPhysics.hold()
 
 

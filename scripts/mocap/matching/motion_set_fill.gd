@@ -23,6 +23,21 @@ static func find(p_set: MotionSet, p_other: MotionSet, p_from: String) -> Array[
 	return rows
 
 
+## What a walker cannot do without and a set does not have, in words; all else can be made of these
+## or by rules. The set must have been loaded.
+static func find_missing(p_set: MotionSet) -> PackedStringArray:
+	var missing: PackedStringArray = ["standing", "walking ahead"]
+	for clip: int in p_set.get_clip_count():
+		if p_set.get_clip_stance(clip) != MotionMatcher.STAND:
+			continue
+		var sector: int = _sector(p_set, clip)
+		if sector <= 1:
+			missing.erase("standing" if sector < 0 else "walking ahead")
+		if missing.is_empty():
+			break
+	return missing
+
+
 static func _has_like(p_set: MotionSet, p_other: MotionSet, p_clip: int) -> bool:
 	for clip: int in p_set.get_clip_count():
 		if p_set.get_clip_stance(clip) != p_other.get_clip_stance(p_clip):

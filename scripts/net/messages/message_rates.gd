@@ -19,6 +19,7 @@ const ROWS: Dictionary[StringName, Array] = {
 	&"level": [8, 2.0, 3, 0.05],
 	&"fields": [8, 4.0, 16, 8.0],
 	&"effect": [4, 1.0, 8, 2.0],
+	&"motion-set": [2, 0.05, 0, 0.0],
 	# Answers that something came too soon, and refusals of calls and of pieces of levels.
 	&"refusals": [20, 20.0, 0, 0.0],
 	&"wearer": [16, 4.0, 0, 0.0],

@@ -58,6 +58,8 @@ enum Message {
 	IMPACTS = 24,
 	## Server to a client that walks, reliable: see [WalkMessage].
 	WALK = 25,
+	## Trainee to server, and back what became of it, reliable: see [MotionSetMessage].
+	MOTION_SET = 26,
 }
 
 ## Second byte of a [constant Message.CONTROL].
@@ -74,7 +76,7 @@ enum Notice {
 ## A first byte of this or above is [constant Message.MOTION] too: it holds a part of its number.
 const BASED_MOTION: int = 128
 ## Raised with every change of what is sent; a server refuses other versions.
-const VERSION: int = 8
+const VERSION: int = 9
 ## First bytes of a challenge and of a join request.
 const HELLO: String = "DSMT"
 ## UDP port of a server by default.

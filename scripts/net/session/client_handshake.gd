@@ -19,6 +19,8 @@ var seals: bool = true
 ## Keeps the session's token, so that a client whose program crashed can come back; null keeps it in
 ## memory only.
 var token_file: SessionTokenFile = null
+## Whether the server took us back into the session before, in the last welcome.
+var came_back: bool = false
 ## Decides which keys of servers are trusted.
 var trust: ServerTrust = ServerTrust.new()
 
@@ -173,6 +175,7 @@ func _take_welcome(p_reply: JoinReply) -> void:
 	if must_prove and not p_reply.is_proven(_key, _said):
 		refused.emit("the server does not know the password")
 		return
+	came_back = p_reply.token == _token
 	_token = p_reply.token
 	if token_file != null:
 		token_file.keep(_token)

@@ -5,6 +5,7 @@ extends ServerPart
 
 var _walkers: Dictionary[int, ServerWalker] = {}
 var _bodies: WalkerBodies = WalkerBodies.new()
+var _sets: WalkerSets = null
 
 
 func open(p_context: ServerContext) -> String:
@@ -13,6 +14,8 @@ func open(p_context: ServerContext) -> String:
 	context.level.table.despawned.connect(func(row: EntityRow) -> void: _forget(row.id))
 	context.level.changed.connect(func() -> void: _bodies.set_level(context.level.level))
 	context.level.entity_added.connect(_bodies.add_entity)
+	_sets = WalkerSets.new(context.link)
+	_sets.changed.connect(_on_set_changed)
 	return ""
 
 
@@ -22,6 +25,7 @@ func begin() -> String:
 
 
 func advance(p_now_usec: int, p_delta_s: float) -> void:
+	_sets.advance()
 	if context.level.is_between:
 		return
 	for walker: ServerWalker in _walkers.values():
@@ -51,10 +55,16 @@ func report() -> Dictionary:
 					"carrier": walker.mover.get_carrier(),
 					"inputs": walker.inputs,
 					"corrections": walker.corrections,
+					"motion_set": walker.set_id,
 				}
 			)
 		)
-	return {"walkers": rows}
+	return {"walkers": rows, "motion_sets": {"taken": _sets.taken, "refused": _sets.refused}}
+
+
+func close() -> void:
+	if _sets != null:
+		_sets.close()
 
 
 func _on_person_added(p_person: ServerPerson) -> void:
@@ -74,7 +84,16 @@ func _on_commanded(
 		var walker: ServerWalker = ServerWalker.new(p_person)
 		_bodies.add_mover(walker.mover, context.people.get_world_3d())
 		_walkers[p_person.id] = walker
+		var own: WalkerSet = _sets.of_session(p_session)
+		if own != null:
+			walker.use_set(own)
 	_walkers[p_person.id].take(p_values)
+
+
+func _on_set_changed(p_session: int) -> void:
+	for walker: ServerWalker in _walkers.values():
+		if walker.person.session == p_session:
+			walker.use_set(_sets.of_session(p_session))
 
 
 static func _numbers(p_place: Vector3) -> Array[float]:

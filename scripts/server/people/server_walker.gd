@@ -37,6 +37,8 @@ var inputs: int = 0
 var corrections: int = 0
 ## Ticks in which the walker waited for the body.
 var waits: int = 0
+## The motion set that it goes by, see [member WalkerSet.id].
+var set_id: String = WalkerSet.SHIPPED
 
 var _pose: WalkerPose = WalkerPose.new()
 var _lead: WalkerLead = WalkerLead.new()
@@ -67,6 +69,12 @@ func _init(p_person: ServerPerson) -> void:
 	mover.place(frame * person.origin, frame.basis.get_euler().y)
 	_pose.restart(mover)
 	_hips = person.hips()
+
+
+## Goes on by a set of the person's own; null: by that of everybody.
+func use_set(p_set: WalkerSet) -> void:
+	_pose.use_set(p_set)
+	set_id = p_set.id if p_set != null else WalkerSet.SHIPPED
 
 
 ## Takes the values of a command.

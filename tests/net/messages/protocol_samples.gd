@@ -75,6 +75,10 @@ static func _add_world(r_made: Dictionary[String, PackedByteArray]) -> void:
 	impact.material = 15
 	impact.other_material = 4
 	r_made["impacts"] = ImpactMessage.encode(1200, [impact] as Array[Impact])
+	r_made["motion-set"] = MotionSetMessage.split(_count(4, 1), 12)[0]
+	r_made["motion-set-refused"] = MotionSetMessage.answer(
+		12, MotionSetMessage.Outcome.REFUSED, "this is no motion set"
+	)
 
 
 static func _add_snapshots(r_made: Dictionary[String, PackedByteArray]) -> void:

@@ -36,6 +36,18 @@ func test_parts_of_different_packets_do_not_mix() -> void:
 	equal(bytes.count(7), 3000)
 
 
+func test_no_part_is_taken_beyond_the_last_or_the_most() -> void:
+	for announced: int in [0, 2, 5]:
+		var joiner: MessageParts = MessageParts.new(4)
+		for number: int in 20:
+			var part: PackedByteArray = MessageParts.split([1, 2, 3], 9)[0]
+			part.encode_u16(3, number)
+			part.encode_u16(5, announced)
+			var is_whole: bool = announced == 2 and number == 1
+			equal(joiner.join(part).size(), 6 if is_whole else 0)
+			equal(joiner.packet, 9 if announced == 2 and number < 2 else -1)
+
+
 func test_garbage_is_no_part() -> void:
 	var random: RandomNumberGenerator = RandomNumberGenerator.new()
 	random.seed = 6

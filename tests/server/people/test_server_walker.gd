@@ -4,6 +4,7 @@ extends TestCase
 
 const WalkerBody: GDScript = preload("res://tests/bench/walker/walker_body.gd")
 const WalkerCourse: GDScript = preload("res://tests/bench/walker/walker_course.gd")
+const MadeSets: GDScript = preload("res://tests/walker/made_sets.gd")
 
 var _course: WalkerCourse = null
 var _body: WalkerBody = null
@@ -106,6 +107,25 @@ func test_who_is_shoved_falls_gets_up_and_walks_on() -> void:
 	var from: Vector3 = _body.person.hips()
 	await _advance(120, Vector2(0.0, 1.5))
 	is_true(_body.person.hips().z - from.z > 1.0)
+
+
+func test_who_gets_another_gait_walks_on() -> void:
+	await _advance(120, Vector2(0.0, 1.4))
+	equal(_body.walker.set_id, WalkerSet.SHIPPED)
+	var own: WalkerSet = WalkerSet.read(MadeSets.small())
+	_body.walker.use_set(own)
+	equal(_body.walker.set_id, own.id)
+	var last: Vector3 = _body.person.hips()
+	for _tick: int in 120:
+		await _advance(1, Vector2(0.0, 1.4))
+		var step: Vector3 = _body.person.hips() - last
+		is_true(step.length() < 0.06, "a step of %s" % step)
+		last = _body.person.hips()
+	_body.walker.use_set(null)
+	equal(_body.walker.set_id, WalkerSet.SHIPPED)
+	await _advance(60, Vector2(0.0, 1.4))
+	equal(_body.down_ticks, 0)
+	is_true(_body.distances.mean() < 0.15, "%.3f m off" % _body.distances.mean())
 
 
 func _advance(
