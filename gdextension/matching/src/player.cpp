@@ -32,8 +32,7 @@ void Player::reset(const MotionSet &p_set) {
 	}
 }
 
-void Player::enter(
-		const MotionSet &p_set, const Features &p_current, const Way &p_way, Stance p_stance, bool p_runs) {
+void Player::enter(const MotionSet &p_set, const Features &p_current, const Way &p_way, Stance p_stance, bool p_runs) {
 	reset(p_set);
 	float own_cost = 0.0f;
 	const FeatureTable::Found best = _nearest(p_set, p_current, p_way, p_stance, p_runs, own_cost);

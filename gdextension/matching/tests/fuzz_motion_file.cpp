@@ -17,9 +17,9 @@ namespace {
 constexpr std::size_t MOST = 4096;
 
 /// Plays what was read: whatever a file holds, the pose stays one.
-bool plays(std::vector<Clip> p_clips) {
+bool plays(const std::vector<Clip> &p_clips) {
 	MotionMatcher matcher;
-	matcher.set_motion_set(std::make_shared<const MotionSet>(std::move(p_clips)));
+	matcher.set_motion_set(std::make_shared<const MotionSet>(p_clips));
 	Wish wish;
 	for (int i = 0; i < 20; i++) {
 		wish.wished_velocity = { 0.0f, 0.0f, i < 10 ? 1.5f : 0.0f };
