@@ -53,7 +53,7 @@ int main(int p_count, char **p_arguments) {
 		std::vector<Clip> clips;
 		const bool is_read = read_motion_file(block, bytes.size(), clips).empty();
 		accepted += is_read ? 1 : 0;
-		if (is_read && !plays(std::move(clips))) {
+		if (is_read && !plays(clips)) {
 			fuzzing::LastInput::keep();
 			std::printf("execution %ld: what was read gives no pose\n", i);
 			return 1;
