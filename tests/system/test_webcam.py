@@ -28,6 +28,24 @@ import cv2, sys
 part = cv2.imread(sys.argv[1])[675:900, 0:400]
 cv2.imwrite(sys.argv[2], cv2.resize(part, None, fx=3, fy=3))
 """
+# How far landmarks in a mirror are from the others: the mean, and the furthest, as shares of the
+# square that is looked at.
+MIRROR = """
+import cv2, sys
+sys.path.insert(0, "tools")
+import numpy as np
+from webcam import environment
+from webcam.models import Detector, Landmarker
+picture = cv2.cvtColor(cv2.imread(sys.argv[1]), cv2.COLOR_BGR2RGB)
+region = Detector(environment.models(), 1).find(picture, 1)[0]
+model = Landmarker(environment.models(), 1)
+plain, mirrored = model.find(picture, region), model.find(picture, region, is_mirrored=True)
+off = np.hypot(*(plain.image - mirrored.image)[:, :2].T) / region.size
+deep = np.linalg.norm((plain.world - mirrored.world)[:, :3], axis=1)
+near = np.hypot(plain.next_region.x - mirrored.next_region.x,
+                plain.next_region.y - mirrored.next_region.y) / region.size
+print(off.mean(), off.max(), deep.mean(), near)
+"""
 FOLDER_OF = """
 import sys
 sys.path.insert(0, "tools")
@@ -143,6 +161,19 @@ def test_people_in_a_picture_are_seen_and_too_many_are_told(people: Path) -> Non
             assert nose[1] < ankle[1]
     with helper(people, "--rate=20") as (_process, take):
         await_fault(take, "2 people are in the picture, and only one of them moves")
+
+
+@needs_environment
+def test_left_is_left_in_a_mirror_too(people: Path) -> None:
+    folder = subprocess.check_output([sys.executable, "-c", FOLDER_OF], text=True).strip()
+    command = [str(Path(folder) / "bin" / "python3"), "-c", MIRROR, str(people)]
+    found = subprocess.check_output(command, text=True, cwd=ROOT, stderr=subprocess.DEVNULL)
+    mean, furthest, deep_m, near = map(float, found.split())
+    # Shoulders are a sixth of the square apart.
+    assert 0.0 < mean < 0.03
+    assert furthest < 0.1
+    assert deep_m < 0.12
+    assert near < 0.05
 
 
 @needs_environment

@@ -34,6 +34,8 @@ MIDDLE, ROUND = 33, 34
 # Side of the heat map around a landmark that says where it is exactly, and the least heat for it.
 KERNEL = 7
 MIN_HEAT = 0.5
+# Pairs of landmarks, left and right, that a mirror exchanges; the nose has none.
+PAIRS = ((1, 4), (2, 5), (3, 6), *((left, left + 1) for left in range(7, LANDMARKS, 2)))
 
 
 @dataclass
@@ -161,9 +163,11 @@ class Landmarker(_Model):
     def __init__(self, folder: Path, threads: int) -> None:
         super().__init__(folder / "pose_landmark_full.tflite", threads)
 
-    def find(self, picture: Array, region: Region) -> Landmarks:
-        """The landmarks of who is in a region of an RGB picture."""
-        target = np.array(((0, 0), (LANDMARK_SIZE, 0), (0, LANDMARK_SIZE)), np.float32)
+    def find(self, picture: Array, region: Region, is_mirrored: bool = False) -> Landmarks:
+        """The landmarks of who is in a region of an RGB picture; the model may look at it in a
+        mirror, where it errs the other way."""
+        left, right = (LANDMARK_SIZE, 0) if is_mirrored else (0, LANDMARK_SIZE)
+        target = np.array(((left, 0), (right, 0), (left, LANDMARK_SIZE)), np.float32)
         to_square = cv2.getAffineTransform(region.corners(), target)
         square = cv2.warpAffine(
             picture, to_square, (LANDMARK_SIZE, LANDMARK_SIZE), flags=cv2.INTER_LINEAR
@@ -171,13 +175,17 @@ class Landmarker(_Model):
         self.run(square.astype(np.float32) / 255.0)
         points = self.output(195).reshape(39, 5).copy()
         _refine(points, self.output(64, 64, 39))
+        places = self.output(117).reshape(39, 3).copy()
+        if is_mirrored:
+            points[:, 0] = LANDMARK_SIZE - points[:, 0]
+            places[:, 0] = -places[:, 0]
+            points, places = points[_MIRRORED], places[_MIRRORED]
         seen = np.minimum(_sigmoid(points[:, 3]), _sigmoid(points[:, 4]))
         per_px = region.size / LANDMARK_SIZE
         c, s = math.cos(region.turn), math.sin(region.turn)
         turn = np.array(((c, -s), (s, c)), np.float32)
         flat = (points[:, :2] - LANDMARK_SIZE / 2.0) * per_px @ turn.T + (region.x, region.y)
         image = np.column_stack([flat, points[:, 2] * per_px, seen])
-        places = self.output(117).reshape(39, 3).copy()
         places[:, :2] = places[:, :2] @ turn.T
         world = np.column_stack([places, seen])
         return Landmarks(
@@ -186,6 +194,17 @@ class Landmarker(_Model):
             float(self.output(1)[0]),
             region_between(flat[MIDDLE], flat[ROUND]),
         )
+
+
+def _mirrored() -> Array:
+    """Which point each one is in a mirror."""
+    order = np.arange(39)
+    for left, right in PAIRS:
+        order[[left, right]] = right, left
+    return order
+
+
+_MIRRORED = _mirrored()
 
 
 def _refine(points: Array, heat: Array) -> None:

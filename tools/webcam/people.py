@@ -29,6 +29,7 @@ class Person:
     region: Region
     seen_s: float
     landmarks: Landmarks | None = None
+    is_mirrored: bool = False  # Whether the model looked at the last picture in a mirror.
 
 
 class People:
@@ -49,7 +50,10 @@ class People:
         """Those who are seen in the picture (RGB) of a time, s."""
         followed = []
         for person in self.people:
-            person.landmarks = self._landmarker.find(picture, person.region)
+            # Every other picture in a mirror: what the model errs by to one side is taken back by
+            # what it errs to the other, once poses are smoothed.
+            person.is_mirrored = not person.is_mirrored
+            person.landmarks = self._landmarker.find(picture, person.region, person.is_mirrored)
             is_there = person.landmarks.score >= MIN_SCORE
             region = person.landmarks.next_region
             if is_there and not any(_is_same(region, other.region) for other in followed):

@@ -25,10 +25,12 @@ const MIN_VISIBILITY: float = 0.2
 const STRAIGHT: float = deg_to_rad(8.0)
 ## How far the nose is below the ears, seen from the side, for a head that is level, rad.
 const NOSE_PITCH: float = deg_to_rad(14.0)
-## How far pelvis and chest are pitched from the line between the landmarks of hips and shoulders,
-## which lie before the hip joints and behind the shoulders' (mean of 24 films of clips), rad.
-const PELVIS_PITCH: float = deg_to_rad(-8.0)
-const CHEST_PITCH: float = deg_to_rad(5.0)
+## A pelvis goes a part of the way from the spine to the thighs, and the chest as much less the
+## other way: who crouches or bends rounds his back. And how far the hips' joints are pitched from a
+## pelvis, rad. All three by the joints of skeletons that play clips, not by landmarks.
+const PELVIS_SHARE: float = 0.4
+const CHEST_SHARE: float = -0.2
+const PELVIS_PITCH: float = deg_to_rad(-5.0)
 
 var _filler: LimbFiller = LimbFiller.new()
 var _memory: LimbMemory = LimbMemory.new()
@@ -80,10 +82,14 @@ func _make_trunk() -> void:
 		_set_mount(BodyMounts.STERNUM, _frame(across, Vector3.UP))
 		return
 	var hips: Vector3 = (_places[HIP] + _places[HIP + 1]) / 2.0
-	var up: Vector3 = (_places[SHOULDER] + _places[SHOULDER + 1]) / 2.0 - hips
-	var pelvis: Quaternion = _frame(_places[HIP] - _places[HIP + 1], up)
+	var spine: Vector3 = (_places[SHOULDER] + _places[SHOULDER + 1]) / 2.0 - hips
+	spine = spine.normalized()
+	var legs: Vector3 = Vector3.ZERO
+	if _sees([KNEE, KNEE + 1]):
+		legs = (hips - (_places[KNEE] + _places[KNEE + 1]) / 2.0).normalized()
+	var pelvis: Quaternion = _frame(_places[HIP] - _places[HIP + 1], spine + PELVIS_SHARE * legs)
 	_set_mount(BodyMounts.PELVIS, pelvis * Quaternion(Vector3.RIGHT, PELVIS_PITCH))
-	_set_mount(BodyMounts.STERNUM, _frame(across, up) * Quaternion(Vector3.RIGHT, CHEST_PITCH))
+	_set_mount(BodyMounts.STERNUM, _frame(across, spine + CHEST_SHARE * legs))
 
 
 func _make_head() -> void:

@@ -1,15 +1,19 @@
 class_name LandmarkSolver
 extends RefCounted
-## Makes poses of a person's landmarks, picture by picture: smooths them ([LandmarkFilter]), puts
-## them where the picture shows them ([CameraView]), turns limbs ([LandmarkPose]), whose lengths are
-## the body's and never change, and places the person on the floor.
+## Makes poses of a person's landmarks, picture by picture: keeps backs and fronts apart
+## ([FacingKeeper]), smooths points ([LandmarkFilter]), puts them where the picture shows them
+## ([CameraView]), turns limbs ([LandmarkPose]), whose lengths are the body's and never change, and
+## places the person on the floor.
 
 ## Cutoff of the way over the floor at rest, Hz: distances from a camera are poorly seen.
 const TRAVEL_HZ: float = 0.5
+## How well points that are hidden, but within the picture, count as seen: just enough, 0 to 1.
+const GUESSED: float = LandmarkPose.MIN_VISIBILITY
 ## Height of the hips of somebody whose height is not known, m.
 const USUAL_HIPS_M: float = 0.93
 
 var _settings: CameraSettings = CameraSettings.new()
+var _facing: FacingKeeper = FacingKeeper.new()
 var _filter: LandmarkFilter = LandmarkFilter.new()
 var _ray_filter: LandmarkFilter = LandmarkFilter.new()
 var _way_filter: LandmarkFilter = LandmarkFilter.new(TRAVEL_HZ)
@@ -29,18 +33,21 @@ func solve(p_frame: LandmarkFrame) -> PoseSample:
 	var step_s: float = clampf((p_frame.usec - _usec) / 1e6, 0.0, LandmarkFilter.PAUSE_S)
 	_usec = p_frame.usec
 	var has_rays: bool = not p_frame.rays.is_empty()
+	if has_rays:
+		_facing.keep(p_frame)
 	var places: PackedVector3Array = p_frame.places
+	var seen: PackedFloat32Array = p_frame.seen_or_guessed(GUESSED)
 	var hips: Vector3 = Vector3.INF
 	if has_rays:
-		places = _filter.smooth(places, p_frame.seen, p_frame.usec)
-		var rays: PackedVector3Array = _ray_filter.smooth(p_frame.rays, p_frame.seen, p_frame.usec)
+		places = _filter.smooth(places, seen, p_frame.usec)
+		var rays: PackedVector3Array = _ray_filter.smooth(p_frame.rays, seen, p_frame.usec)
 		places = _turned(places, rays)
 		hips = CameraView.place(places, rays, p_frame.seen)
 		if hips.is_finite():
 			places = _seen_along(places, rays, hips.z)
 			_learn_up(places, p_frame.seen, step_s)
 			places = _level(places)
-	var pose: PoseSample = _pose.make(places, p_frame.seen, step_s)
+	var pose: PoseSample = _pose.make(places, seen, step_s)
 	if pose != null and hips.is_finite():
 		_put_on_floor(pose, _view.level() * hips, p_frame.usec)
 	return pose
