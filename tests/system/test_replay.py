@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Replays of recordings that somebody has forged to take a machine's memory."""
+"""Recordings of a server, and replays of those that somebody has forged to take a machine's
+memory."""
 
 from __future__ import annotations
 
@@ -11,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+from . import recordings
 from .conftest import LOOK_S, World
 
 MAGIC = b"DSMTREC4"
@@ -63,3 +65,14 @@ def test_memory_is_bounded(world: World, name: str) -> None:
     assert most_kib > 0
     assert replay.await_exit() == 0, replay.log()
     assert os.path.getsize(replay.log_file) < 100_000
+
+
+def test_a_server_records_who_joins_all_at_once(world: World) -> None:
+    # People come in the tick after their client: tables, which go out together, are later.
+    file = world.folder / "server.dismount"
+    world.server(f"--record={file}")
+    world.client("load", "--trainees=0", "--observers=0", "--walkers=4", name="crowd")
+    found = recordings.comes(
+        file, lambda seen: sum(len(entries) > 2 for entries in seen["people"].values()) == 4
+    )
+    assert len(found["people"]) == 4

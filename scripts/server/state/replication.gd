@@ -149,7 +149,10 @@ func remove_client(p_session: int) -> void:
 ## Sends everybody what a tick has changed. The time is that of the tick's end, µs; of the messages
 ## the first goes reliably, the others on the fast path, and empty ones not at all.
 func send(p_tick: int, p_now_usec: int, p_events: Array[PackedByteArray]) -> void:
-	if p_tick >= _table_tick + _TABLE_TICKS or p_tick < _table_tick:
+	var is_due: bool = p_tick >= _table_tick + _TABLE_TICKS or p_tick < _table_tick
+	# A recording is read in its order: a snapshot of who is in no table yet would be lost, and with
+	# it all that are coded against it.
+	if is_due or _recorder != null:
 		_table_tick = p_tick if _send_table() else _table_tick
 	_send_events(p_events)
 	_people.hand_poses(encoder)
