@@ -190,7 +190,10 @@ func declare_people(p_people: Array[PersonCard]) -> void:
 ## Sends a message of at most [constant Protocol.MAX_DATAGRAM] bytes, reliably and in order with the
 ## others, if we are joined.
 func send_reliably(p_bytes: PackedByteArray) -> void:
-	if _state == State.JOINED:
+	if _state != State.JOINED:
+		return
+	# The connection may have ended since the last poll.
+	if _peer.get_connection_status() == MultiplayerPeer.CONNECTION_CONNECTED:
 		_api.send_bytes(
 			p_bytes, MultiplayerPeer.TARGET_PEER_SERVER, MultiplayerPeer.TRANSFER_MODE_RELIABLE
 		)

@@ -39,6 +39,14 @@ func keep(r_frame: LandmarkFrame) -> void:
 		_exchange(r_frame)
 
 
+## Where shoulders and hips face, rad about the vertical: 0 is to the camera, positive to the left
+## of who is seen. [constant NAN] where they lie over one another.
+static func heading(p_places: PackedVector3Array) -> float:
+	var left: Vector3 = p_places[LandmarkPose.SHOULDER] - p_places[LandmarkPose.SHOULDER + 1]
+	left += p_places[LandmarkPose.HIP] - p_places[LandmarkPose.HIP + 1]
+	return atan2(-left.z, left.x) if Vector2(left.x, left.z).length() > 1e-3 else NAN
+
+
 # The cheapest ways (Viterbi's) to both readings of a picture.
 func _costs_after(p_headings: PackedFloat64Array, p_step_s: float) -> PackedFloat64Array:
 	var costs: PackedFloat64Array = [INF, INF]
@@ -50,14 +58,6 @@ func _costs_after(p_headings: PackedFloat64Array, p_step_s: float) -> PackedFloa
 	costs[1] += p_step_s * (DOUBT_FRONT_PER_S if is_front else DOUBT_BACK_PER_S)
 	var least: float = minf(costs[0], costs[1])
 	return PackedFloat64Array([costs[0] - least, costs[1] - least])
-
-
-## Where shoulders and hips face, rad about the vertical: 0 is to the camera, positive to the left
-## of who is seen. [constant NAN] where they lie over one another.
-static func heading(p_places: PackedVector3Array) -> float:
-	var left: Vector3 = p_places[LandmarkPose.SHOULDER] - p_places[LandmarkPose.SHOULDER + 1]
-	left += p_places[LandmarkPose.HIP] - p_places[LandmarkPose.HIP + 1]
-	return atan2(-left.z, left.x) if Vector2(left.x, left.z).length() > 1e-3 else NAN
 
 
 static func _exchange(r_frame: LandmarkFrame) -> void:
