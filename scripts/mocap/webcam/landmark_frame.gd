@@ -15,26 +15,12 @@ var rays: PackedVector3Array = PackedVector3Array()
 ## When it was taken, µs.
 var usec: int = 0
 
-# Where the picture ends: x and y of rays.
-var _edge: Vector2 = Vector2.ZERO
-
 
 ## Works [member rays] out of [member in_picture], by the picture's height in widths and how much
 ## the camera sees across, degrees.
 func set_rays(p_height: float, p_fov_deg: float) -> void:
 	var per_width: float = 2.0 * tan(deg_to_rad(p_fov_deg) / 2.0)
-	_edge = Vector2(per_width, per_width * p_height) / 2.0
 	rays.resize(in_picture.size())
 	for point: int in in_picture.size():
 		var at: Vector3 = in_picture[point]
 		rays[point] = Vector3((at.x - 0.5) * per_width, (p_height / 2.0 - at.y) * per_width, -1.0)
-
-
-## How well each point is seen, at least as much as given where it is within the picture: there the
-## model guesses what is hidden from all that it sees of the person, outside from nothing.
-func seen_or_guessed(p_least: float) -> PackedFloat32Array:
-	var found: PackedFloat32Array = seen.duplicate()
-	for point: int in rays.size():
-		if absf(rays[point].x) < _edge.x and absf(rays[point].y) < _edge.y:
-			found[point] = maxf(found[point], p_least)
-	return found

@@ -7,8 +7,6 @@ extends RefCounted
 
 ## Cutoff of the way over the floor at rest, Hz: distances from a camera are poorly seen.
 const TRAVEL_HZ: float = 0.5
-## How well points that are hidden, but within the picture, count as seen: just enough, 0 to 1.
-const GUESSED: float = LandmarkPose.MIN_VISIBILITY
 ## Height of the hips of somebody whose height is not known, m.
 const USUAL_HIPS_M: float = 0.93
 
@@ -36,18 +34,17 @@ func solve(p_frame: LandmarkFrame) -> PoseSample:
 	if has_rays:
 		_facing.keep(p_frame)
 	var places: PackedVector3Array = p_frame.places
-	var seen: PackedFloat32Array = p_frame.seen_or_guessed(GUESSED)
 	var hips: Vector3 = Vector3.INF
 	if has_rays:
-		places = _filter.smooth(places, seen, p_frame.usec)
-		var rays: PackedVector3Array = _ray_filter.smooth(p_frame.rays, seen, p_frame.usec)
+		places = _filter.smooth(places, p_frame.seen, p_frame.usec)
+		var rays: PackedVector3Array = _ray_filter.smooth(p_frame.rays, p_frame.seen, p_frame.usec)
 		places = _turned(places, rays)
 		hips = CameraView.place(places, rays, p_frame.seen)
 		if hips.is_finite():
 			places = _seen_along(places, rays, hips.z)
 			_learn_up(places, p_frame.seen, step_s)
 			places = _level(places)
-	var pose: PoseSample = _pose.make(places, seen, step_s)
+	var pose: PoseSample = _pose.make(places, p_frame.seen, step_s)
 	if pose != null and hips.is_finite():
 		_put_on_floor(pose, _view.level() * hips, p_frame.usec)
 	return pose

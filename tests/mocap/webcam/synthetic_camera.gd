@@ -15,10 +15,6 @@ const ALONG: Dictionary[int, Vector3] = {
 	Limbs.RIGHT_LOWER_LEG: Vector3.DOWN,
 }
 
-## Standard deviation of a point that is hidden: the model guesses it by the rest of the body, m. In
-## films of clips guessed points move by 4 to 8 cm from picture to picture, these by 9.
-const GUESS_M: float = 0.04
-
 ## How far it looks down, rad, and how much it sees across, degrees.
 var tilt: float = 0.0
 var fov_deg: float = 65.0
@@ -62,7 +58,7 @@ func see(p_pose: PoseSample, p_usec: int) -> LandmarkFrame:
 		var is_lost: bool = number > LandmarkPose.SHOULDER + 1 and _random.randf() < dropouts
 		frame.seen.append(0.02 if is_lost else 0.98)
 		if is_lost:
-			frame.places[number] += _blur() * GUESS_M
+			frame.places[number] += _blur() * 0.3
 		frame.in_picture.append(Vector3(flat.x + 0.5, height / 2.0 - flat.y, frame.seen[number]))
 	frame.set_rays(height, fov_deg)
 	return frame

@@ -92,8 +92,6 @@ func test_legs_out_of_the_picture_stand_below_the_hips() -> void:
 		for point: int in range(LandmarkPose.HIP, WebcamReader.POINTS):
 			frame.seen[point] = 0.01
 			frame.places[point] = Vector3(0.3, 0.4, 0.5)
-			frame.in_picture[point].y = camera.height + 0.1
-		frame.set_rays(camera.height, camera.fov_deg)
 		found = solver.solve(frame)
 	for limb: int in Limbs.LEGS:
 		var down: Vector3 = found.orientation(limb) * Vector3.DOWN
