@@ -52,6 +52,8 @@ const COLUMN: StringName = &"UiColumn"
 const HERO: StringName = &"UiHero"
 const CHOICE: StringName = &"UiChoice"
 const PRIMARY: StringName = &"UiPrimary"
+## A [Button] with a large picture over its text.
+const PICTURE: StringName = &"UiPicture"
 
 ## For screens with much on them, such as tables and tools: put it in [member Control.theme].
 const DENSE: String = "res://scenes/ui/dense.tres"

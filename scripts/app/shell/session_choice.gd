@@ -3,7 +3,7 @@ extends RefCounted
 ## The session that a user of the start screen wants to begin: as what, where, and by which options.
 
 ## Name of the role, see [ProgramRoles].
-var role: String = ProgramRoles.OBSERVER
+var role: String = Roles.name_of(Roles.Role.OBSERVER)
 ## Address of the server: a name, an IPv4 or an IPv6 address. Empty: the role needs no server.
 var host: String = ""
 ## UDP port of the server, 1 to 65535.
