@@ -38,6 +38,8 @@ func _ready() -> void:
 		get_tree().quit(2)
 		return
 	Log.info("app", "Dismount %s, %s" % [version, role])
+	if not [ProgramRoles.SERVER, ProgramRoles.LOAD].has(role):
+		RendererChoice.apply(options.text("renderer"))
 	_begin(role, options)
 
 

@@ -8,7 +8,15 @@ static func rows() -> Array[OptionRow]:
 	var showing: PackedStringArray = ProgramRoles.showing()
 	var all: PackedStringArray = ProgramRoles.names()
 	var recording: PackedStringArray = PackedStringArray([ProgramRoles.SERVER]) + showing
+	var drawing: PackedStringArray = PackedStringArray([ProgramRoles.START]) + showing
 	return [
+		OptionRow.choice(
+			"renderer",
+			drawing,
+			RendererChoice.AUTO,
+			RendererChoice.NAMES,
+			"renderer of the engine; auto: gl_compatibility where a processor draws"
+		),
 		OptionRow.file("config", all, "read options from this file, see docs/options.md"),
 		OptionRow.file(
 			"log-file", all, "write the log to this file too; a server reopens it after SIGHUP"

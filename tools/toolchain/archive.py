@@ -48,6 +48,7 @@ class Archive:
     arguments: str  # What the start script puts before the user's own.
     loaded: tuple[str, ...]
     helps_webcam: bool = False  # Whether the webcam's helper goes with it.
+    default: str = ""  # The user's arguments where the start script gets none.
 
 
 ARCHIVES = {
@@ -65,6 +66,7 @@ ARCHIVES = {
         "--",
         LOADED + SHOWN,
         helps_webcam=True,
+        default="--role=start",
     ),
 }
 
@@ -181,18 +183,24 @@ def _write_texts(archive: Archive, folder: Path, stem: str) -> None:
         "@LOADER@": stem,
         "@PROGRAM@": archive.binary.name,
         "@ARGUMENTS@": archive.arguments,
+        "@DEFAULT@": archive.default,
         "@VERSION@": version(),
         "@CONTAINER_ARGUMENTS@": "".join(f', "{one}"' for one in archive.arguments.split()),
     }
     names = {"start": "start", "README.md": "README.md", "Containerfile": "Containerfile"}
     if archive.name == "dismount-server":
         names |= {"dismount.service": "dismount.service", "server.cfg": "server.cfg"}
+    else:
+        names |= {"dismount.desktop": "dismount.desktop", "add-to-menu": "add-to-menu"}
+        shutil.copyfile(ROOT / "assets" / "ui" / "icon.svg", folder / "icon.svg")
     for source, name in names.items():
         text = (TEMPLATES / source).read_text(encoding="utf-8")
         for mark, value in values.items():
             text = text.replace(mark, value)
         (folder / name).write_text(text, encoding="utf-8")
-    (folder / "start").chmod(0o755)
+    for script in ("start", "add-to-menu"):
+        if (folder / script).exists():
+            (folder / script).chmod(0o755)
     if "libEGL_mesa.so.0" in archive.loaded:
         # How the vendor-neutral EGL finds Mesa where the machine has no folder of vendors.
         vendor = {"file_format_version": "1.0.0", "ICD": {"library_path": "libEGL_mesa.so.0"}}

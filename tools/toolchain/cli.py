@@ -46,6 +46,7 @@ def main(arguments: list[str]) -> int:
     """Runs one command and returns its exit code. What needs no set-up, tools/help.sh answers."""
     commands: dict[str, Callable[[list[str]], int]] = {
         **{role: functools.partial(_role, role) for role in options.roles()},
+        "demo": lambda rest: demo.main(normalise(rest)),
         "editor": _editor,
         "export": _export,
         "bvh": _bvh,
@@ -64,6 +65,8 @@ def main(arguments: list[str]) -> int:
         "webcam": webcam.main,
         "options-doc": _options_doc,
     }
+    if not arguments and real_display():
+        _role("start", [])
     if not arguments or arguments[0].startswith("-"):
         return demo.main(normalise(arguments))
     if arguments[0] not in commands:
@@ -121,9 +124,12 @@ def _role(role: str, arguments: list[str]) -> NoReturn:
     prepare(export=True)
     webcam.prepare(arguments)
     environment = {"PWD": str(user_path("")), webcam.VARIABLE: str(webcam.FOLDER)}
+    environment["DISMOUNT_RUN"] = str(ROOT / "run")
     command = [str(SERVER_BINARY if role == "server" else CLIENT_BINARY), "--no-header"]
     if role == "server" or not real_display():
         command.append("--headless")
+    if role == "start" and not real_display():
+        raise Failure("The start screen needs a display: ./run --help lists what does not.")
     if role != "server" and not real_display():
         say("There is no display: the client runs without a window.")
     given = [argument for argument in arguments if argument != "--"]

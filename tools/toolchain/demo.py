@@ -39,7 +39,7 @@ The observer's frames were drawn by the processor (software rendering), so they 
 sample waits for the next one: that is most of the time from sample to display. A graphics card
 draws 60 frames a second and more. ./run latency measures the delays without drawing."""
 
-HELP = """Options of ./run itself, without a command
+HELP = """Options of ./run demo, and of ./run without a command
   --port=NUMBER             UDP port of the session, 1 to 65535 (7777)
   --bvh=FILE                the trainee's motion (assets/motion/01_01.bvh)
   --seconds=S               length of the session without a display, 3 to 3600 (12)

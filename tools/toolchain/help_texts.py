@@ -28,9 +28,11 @@ _ROLE_MARK = "=== "
 
 MAIN = """Dismount: people in motion-capture suits move through physics.
 
-  ./run                     sets up everything; starts an exported server, a trainee who moves by a
-                            recorded clip, and an observer. With a display: in windows, until one
-                            is closed. Without: for 12 s; a picture and a film are left in out/
+  ./run                     sets up everything, and opens the start screen. Without a display it
+                            does what ./run demo does
+  ./run demo                an exported server, a trainee who moves by a recorded clip, and an
+                            observer. With a display: in windows, until one is closed. Without:
+                            for 12 s; a picture and a film are left in out/
 
 Roles (./run ROLE --help lists the options of one; all are in docs/options.md)
 {roles}
@@ -156,6 +158,7 @@ def make(godot: Godot) -> dict[Path, str]:
         "load": load.HELP,
         "bench": BENCH,
         "bvh": BVH,
+        "demo": "./run demo [options]\n\n" + demo.HELP,
         "editor": EDITOR,
         "export": EXPORT,
         "motion-set": MOTION_SET,

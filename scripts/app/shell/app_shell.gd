@@ -1,7 +1,7 @@
 class_name AppShell
 extends Control
-## The program before a session: the start screen over a living world, and the screens that it leads
-## to. It begins nothing itself; [code]Main[/code] does what its signals say, and shows it again when
+## The program before a session: the start screen over a living world, and the screens that it
+## leads to. It begins nothing itself: [ShellFlow] does what its signals say, and shows it again when
 ## the session is over.
 
 ## The user wants to begin a session.
@@ -18,6 +18,9 @@ const SCREENS: Dictionary[StringName, String] = {
 	&"host": "res://scripts/app/shell/host_screen.gd",
 	&"review": "res://scripts/app/shell/review_screen.gd",
 }
+
+## Frames a second where a processor draws: the film has no more to show.
+const _SOFTWARE_FPS: int = 30
 
 var _start: StartScreen = StartScreen.new()
 var _screen: ShellScreen = null
@@ -46,11 +49,17 @@ func configure(p_options: Options) -> void:
 
 func _ready() -> void:
 	_stop.watch()
+	if Quality.draws_by_processor():
+		Engine.max_fps = _SOFTWARE_FPS
 	WindowFrame.follow(get_window())
 	get_window().title = "Dismount"
 	if _screen == null:
 		_start.focus_first()
 	Log.info("app", "the start screen is open")
+
+
+func _exit_tree() -> void:
+	Engine.max_fps = 0
 
 
 func _process(_delta: float) -> void:

@@ -13,21 +13,18 @@ const _FLAGS: PackedStringArray = ["--headless", "--no-header"]
 ## lies beside this program or in the folder that [code]./run export[/code] makes, else this very
 ## program without a window.
 static func server() -> PackedStringArray:
-	var program: String = OS.get_executable_path()
-	var folder: String = program.get_base_dir()
+	var folder: String = OS.get_executable_path().get_base_dir()
 	if OS.has_feature("template"):
 		for place: String in [folder, folder.path_join("../server").simplify_path()]:
 			var found: String = place.path_join(_SERVER)
 			if FileAccess.file_exists(found):
 				return PackedStringArray([found]) + _FLAGS
-		return PackedStringArray([program]) + _FLAGS
-	var project: String = ProjectSettings.globalize_path("res://")
-	return PackedStringArray([program]) + _FLAGS + PackedStringArray(["--path", project])
+	return client()
 
 
-## The command that starts another client of this program without a window.
+## The command that starts this program once more, without a window and without options of ours.
 static func client() -> PackedStringArray:
-	var command: PackedStringArray = PackedStringArray([OS.get_executable_path()]) + _FLAGS
+	var command: PackedStringArray = HmdCommand.of_this_process().program() + _FLAGS
 	if not OS.has_feature("template"):
 		command += PackedStringArray(["--path", ProjectSettings.globalize_path("res://")])
 	return command

@@ -16,7 +16,6 @@ const _WIDTH_PX: float = 320.0
 const _GAP_PX: float = 10.0
 
 var _rows: VBoxContainer = VBoxContainer.new()
-var _first: Button = null
 var _hint: Label = Label.new()
 
 
@@ -49,11 +48,14 @@ func _init() -> void:
 
 ## Gives the keyboard to the first choice.
 func focus_first() -> void:
-	_first.grab_focus()
+	for child: Node in _rows.get_children():
+		if child is Button and (child as Button).visible and not (child as Button).disabled:
+			(child as Button).grab_focus()
+			return
 
 
 func _add_choices() -> void:
-	_first = _add_screen("Join", &"join", "Take part in a session on this network or elsewhere")
+	_add_screen("Join", &"join", "Take part in a session on this network or elsewhere")
 	_add_screen("Host", &"host", "Begin a session of your own that others can join")
 	_add_screen("Watch", &"watch", "Look at a session without a body of your own")
 	_add_screen("Instruct", &"instruct", "Direct a session and decide who takes part")
@@ -74,10 +76,9 @@ func _add_choices() -> void:
 	_add("Quit", "", leave_wanted.emit)
 
 
-func _add_screen(p_text: String, p_name: StringName, p_hint: String) -> Button:
+func _add_screen(p_text: String, p_name: StringName, p_hint: String) -> void:
 	var button: Button = _add(p_text, p_hint, screen_wanted.emit.bind(p_name))
 	button.visible = AppShell.SCREENS.has(p_name)
-	return button
 
 
 func _add_command(p_text: String, p_command: String, p_hint: String) -> void:

@@ -20,11 +20,16 @@ const _METHOD: String = "--rendering-method"
 const _HEADSETS: String = "mobile"
 ## Flags of the engine that name a file or folder.
 const _PATHS: PackedStringArray = ["--path", "--main-pack", "--log-file"]
+## How a package's loader is told where its libraries are, and the number of arguments up to the
+## program itself.
+const _LOADER: String = "--library-path"
+const _LOADED: int = 3
 
 ## The renderer that the user asks for; empty where the user leaves that to us.
 var renderer: String = ""
 
-var _program: String = ""
+## The program, behind the loader that a package starts it by.
+var _program: PackedStringArray = []
 var _engine: PackedStringArray = []
 var _user: PackedStringArray = []
 
@@ -51,11 +56,11 @@ static func of_this_process() -> HmdCommand:
 ## A command: the program, its arguments, and the folder in which relative paths begin.
 static func of(p_program: String, p_arguments: PackedStringArray, p_folder: String) -> HmdCommand:
 	var command: HmdCommand = HmdCommand.new()
-	command._program = p_program
 	var end: int = p_arguments.find("--")
 	end = p_arguments.size() if end < 0 else end
 	command._user = p_arguments.slice(end)
-	var i: int = 0
+	var i: int = _LOADED if p_arguments.slice(0, 1) == PackedStringArray([_LOADER]) else 0
+	command._program = PackedStringArray([p_program]) + p_arguments.slice(0, i)
 	while i < end:
 		var part: String = p_arguments[i]
 		if _OURS.has(part):
@@ -73,7 +78,12 @@ static func of(p_program: String, p_arguments: PackedStringArray, p_folder: Stri
 
 ## Whether the program is still where it was started from.
 func is_there() -> bool:
-	return FileAccess.file_exists(_program)
+	return FileAccess.file_exists(_program[0])
+
+
+## How this program is started, without arguments of its own: a package starts it by a loader.
+func program() -> PackedStringArray:
+	return _program.duplicate()
 
 
 ## With OpenXR, on the renderer whose pictures have two layers at the least cost.
@@ -87,7 +97,7 @@ func with_window() -> PackedStringArray:
 
 
 func _made(p_ours: PackedStringArray) -> PackedStringArray:
-	return PackedStringArray([_program]) + p_ours + _engine + _user
+	return _program + p_ours + _engine + _user
 
 
 static func _full(p_path: String, p_folder: String) -> String:
