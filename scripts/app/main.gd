@@ -1,11 +1,12 @@
 extends Node
-## Starts the role that the options name, see [ProgramRoles].
+## Starts the role that the options name, see [ProgramRoles]; the start screen is a [ShellFlow].
 ##
 ## Exit codes: 0 done, 1 failed, 2 wrong options, 3 refused by the server, 4 no server.
 
 const _SCENES: Dictionary[String, String] = {
 	ProgramRoles.SERVER: "res://scenes/server/server.tscn",
 	ProgramRoles.LOAD: "res://scenes/load/load.tscn",
+	ProgramRoles.START: "res://scenes/app/shell/shell_flow.tscn",
 }
 const _CLIENT: String = "res://scenes/client/client.tscn"
 ## Prints the text of docs/options.md, for the gate that compares it.
@@ -46,7 +47,7 @@ func _begin(p_role: String, p_options: Options) -> void:
 	match p_role:
 		ProgramRoles.SERVER:
 			program.call("configure", p_options, ProgramParts.SERVER)
-		ProgramRoles.LOAD:
+		ProgramRoles.LOAD, ProgramRoles.START:
 			program.call("configure", p_options)
 		_:
 			program.call("configure", p_role, p_options, ProgramParts.of_client(p_role))

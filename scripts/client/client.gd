@@ -10,6 +10,14 @@ extends Node
 ## The session is over and nothing of it runs: the exit code of the program.
 signal left(p_exit_code: int)
 
+## Whether whoever began the session shows why it has ended: then nothing is left standing in the
+## window.
+var is_guest: bool = false
+## Why the session could not begin or go on; empty where it did.
+var fault: String = ""
+## Whether the user wants the whole program to end: the window was closed, or the system asks.
+var ends_program: bool = false
+
 @export var _scene: ClientScene
 @export var _hud: Hud
 
@@ -56,7 +64,10 @@ func _ready() -> void:
 
 
 func _process(p_delta: float) -> void:
-	if _exit_code != 0:
+	if _stop.is_raised():
+		ends_program = true
+		_leave()
+	if _exit_code != 0 or _is_leaving:
 		return
 	for part: ClientPart in _parts:
 		part.begin_frame()
@@ -67,7 +78,7 @@ func _process(p_delta: float) -> void:
 		part.end_frame(p_delta)
 	if _report.is_due():
 		_report.write(_list.report())
-	if _stop.is_raised() or _is_over():
+	if _is_over():
 		_leave()
 
 
@@ -77,6 +88,7 @@ func _physics_process(_delta: float) -> void:
 
 func _notification(p_what: int) -> void:
 	if p_what == NOTIFICATION_WM_CLOSE_REQUEST:
+		ends_program = true
 		_leave()
 
 
@@ -93,18 +105,22 @@ func _is_over() -> bool:
 	return _parts.all(func(part: ClientPart) -> bool: return part.is_ready_to_end())
 
 
-## Ends with a code; in a window the message stays until it is closed.
+## Ends with a code; in a window of its own the message stays until that is closed.
 func _fail(p_code: int, p_why: String) -> void:
 	if p_code == StateStream.EXIT_DONE:
 		_leave()
 		return
 	_exit_code = p_code
+	fault = p_why
 	Log.error("client", p_why)
 	_hud.show_message(p_why.left(1).to_upper() + p_why.substr(1) + ".")
 	var is_read: bool = p_code == StateStream.EXIT_REFUSED or p_code == StateStream.EXIT_OPTIONS
 	var has_end: bool = _context.options.seconds("duration") > 0.0
-	if not is_read or ClientContext.is_headless() or has_end:
+	if not is_read or is_guest or ClientContext.is_headless() or has_end:
 		_leave(p_code)
+		return
+	# Nothing moves any more: the picture is drawn again where it changes only.
+	OS.low_processor_usage_mode = true
 
 
 ## Ends the session with a code, as soon as nothing of its parts runs.

@@ -4,10 +4,13 @@ extends RefCounted
 
 const SERVER: String = "server"
 const LOAD: String = "load"
+## The start screen, which begins the others.
+const START: String = "start"
 ## Role of a client that plays a recording; it never joins a session.
 const REPLAY: String = "replay"
 ## The roles that are no client of a session, and what they are for.
 const _OTHERS: Dictionary[String, String] = {
+	START: "opens the start screen, which leads to all others",
 	SERVER: "simulates the world and sends its state to everybody",
 	REPLAY: "shows what --record has kept",
 	LOAD: "puts many clients without displays on a server, for ./run load",
@@ -16,7 +19,7 @@ const _OTHERS: Dictionary[String, String] = {
 
 ## Names of all.
 static func names() -> PackedStringArray:
-	return PackedStringArray([SERVER]) + showing() + PackedStringArray([LOAD])
+	return PackedStringArray([START, SERVER]) + showing() + PackedStringArray([LOAD])
 
 
 ## Those that join a session.

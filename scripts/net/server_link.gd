@@ -60,8 +60,9 @@ func _init() -> void:
 	_inbox.overrun.connect(_on_overrun)
 
 
-## Opens the port. Returns [constant ERR_CANT_CREATE] where it is in use.
-func listen(p_port: int, p_rules: ServerRules) -> Error:
+## Opens the port at an address of this machine, by default at all. Returns
+## [constant ERR_CANT_CREATE] where it is in use, or the address is not this machine's.
+func listen(p_port: int, p_rules: ServerRules, p_address: String = "*") -> Error:
 	close()
 	rules = p_rules
 	_peer = ThreadedPeer.new()
@@ -74,7 +75,7 @@ func listen(p_port: int, p_rules: ServerRules) -> Error:
 	_peer.sealing = rules.sealing()
 	_peer.callbacks.instant_kind = Protocol.Message.CLOCK
 	_peer.callbacks.instant = _ticks.answer
-	var error: Error = _peer.create_server(p_port)
+	var error: Error = _peer.create_server(p_port, p_address)
 	if error != OK:
 		_peer = null
 		return error

@@ -14,6 +14,9 @@ const MAX_FIRST_CHANGES: int = 64
 
 ## Path of the recording.
 var path: String = ""
+## The longest step of a frame, s: with a limit the recording does not run on unseen during a frame
+## that takes long, as while a world loads.
+var max_step_s: float = INF
 ## Where in the recording the playback begins, s: what was before is taken in at once.
 var from_s: float = 0.0
 
@@ -53,7 +56,7 @@ func open() -> String:
 
 
 func advance(p_delta_s: float) -> void:
-	_clock_s += p_delta_s
+	_clock_s += minf(p_delta_s, max_step_s)
 	var changes: int = 0
 	var limit: int = _limit
 	_limit = MAX_CHANGES
@@ -76,8 +79,11 @@ func advance(p_delta_s: float) -> void:
 
 ## Plays all that is left at once, frame by frame, however long it is.
 func play_all() -> void:
+	var before_s: float = max_step_s
+	max_step_s = INF
 	while not _next.is_empty():
 		advance(1e6)
+	max_step_s = before_s
 
 
 func now_s() -> float:

@@ -29,6 +29,9 @@ const EDGE: Color = Color("6f7d8c")
 ## Sizes of plain text and of a panel's title, px at a window of 1280 x 720.
 const BODY_PX: int = 16
 const TITLE_PX: int = 22
+## Sizes of a choice of the start screen and of the name above them, px at a window of 1280 x 720.
+const CHOICE_PX: int = 18
+const HERO_PX: int = 44
 
 ## Variations of a [Label]: over a panel's rows, over a part of them, of less weight, of a fault.
 const TITLE: StringName = &"UiTitle"
@@ -40,6 +43,17 @@ const OVERLAY: StringName = &"UiOverlay"
 const BANNER: StringName = &"UiBanner"
 ## A [PanelContainer] over others, with an edge.
 const SHEET: StringName = &"UiSheet"
+## Of the start screen: the margins of a screen (of a [MarginContainer]), its board and the column
+## of choices (of [PanelContainer]), the program's name (of [Label]), a choice, and the one button
+## that most users want (of [Button]).
+const STAGE: StringName = &"UiStage"
+const BOARD: StringName = &"UiBoard"
+const COLUMN: StringName = &"UiColumn"
+const HERO: StringName = &"UiHero"
+const CHOICE: StringName = &"UiChoice"
+const PRIMARY: StringName = &"UiPrimary"
+## A [Button] with a large picture over its text.
+const PICTURE: StringName = &"UiPicture"
 
 ## For screens with much on them, such as tables and tools: put it in [member Control.theme].
 const DENSE: String = "res://scenes/ui/dense.tres"

@@ -3,11 +3,18 @@ extends ClientPart
 ## Plays a recording instead of a server's world: makes the [RecordedStream] that the options ask
 ## for.
 
+## Frames that take longer than this, s, are those in which a world loads.
+const _LONGEST_FRAME_S: float = 0.25
+
 
 func open(p_context: ClientContext) -> String:
 	super(p_context)
 	var options: Options = context.options
-	context.stream = RecordedStream.of_file(options.file("file"), options.seconds("from"))
+	var recording: RecordedStream = RecordedStream.of_file(
+		options.file("file"), options.seconds("from")
+	)
+	recording.max_step_s = _LONGEST_FRAME_S
+	context.stream = recording
 	return ""
 
 

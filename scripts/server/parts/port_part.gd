@@ -28,7 +28,12 @@ func open(p_context: ServerContext) -> String:
 
 func begin() -> String:
 	var port: int = context.options.number("port")
-	if context.link.listen(port, _rules) != OK:
+	var address: String = context.options.text("bind")
+	if address != "*" and not address.is_valid_ip_address():
+		return "--bind expects an IP address of this machine or *, found '%s'" % address
+	if context.link.listen(port, _rules, address) != OK:
+		if address != "*" and not IP.get_local_addresses().has(address):
+			return "--bind: this machine has no address %s" % address
 		return "UDP port %d is in use: choose another with --port" % port
 	# Its API is that of the open port; the level, which comes later, has to know it.
 	_shared = SharedServer.new(context.link)

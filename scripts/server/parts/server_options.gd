@@ -56,6 +56,11 @@ static func rows() -> Array[OptionRow]:
 			[0, 65535],
 			"TCP port of the status on 127.0.0.1; 0: the number of --port"
 		),
+		(
+			OptionRow
+			. text("bind", server, "address of this machine that the port is open at; *: all")
+			. or_default("*")
+		),
 		OptionRow.number(
 			"end-with", server, 0, [0, 1 << 30], "end when the process of this number has; 0: none"
 		),
