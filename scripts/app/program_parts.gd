@@ -51,6 +51,7 @@ const SERVER: PackedStringArray = [
 	"res://scripts/server/parts/entities_part.gd",
 	"res://scripts/server/parts/walkers_part.gd",
 	"res://scripts/server/parts/motion_part.gd",
+	"res://scripts/server/parts/discovery_part.gd",
 	"res://scripts/server/parts/status_part.gd",
 	"res://scripts/server/parts/companion_part.gd",
 ]

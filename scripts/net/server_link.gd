@@ -104,6 +104,12 @@ func renew_passwords() -> void:
 		_peer.sealing = rules.sealing()
 
 
+## Tells clients that look for servers this, from now on: see [ServerAnnouncement].
+func announce(p_bytes: PackedByteArray) -> void:
+	if _peer != null:
+		_peer.announcement = p_bytes
+
+
 ## Processes what has arrived. Call it once per physics tick, before the simulation needs it.
 func poll() -> void:
 	if _api == null:

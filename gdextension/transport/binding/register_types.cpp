@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "discovery_answer.hpp"
+#include "discovery_port.hpp"
 #include "fast_packet.hpp"
 #include "receipt_window.hpp"
 #include "sealed_socket.hpp"
@@ -14,6 +16,8 @@ namespace {
 
 void initialize(ModuleInitializationLevel p_level) {
 	if (p_level == MODULE_INITIALIZATION_LEVEL_SCENE) {
+		GDREGISTER_CLASS(DiscoveryAnswer);
+		GDREGISTER_CLASS(DiscoveryPort);
 		GDREGISTER_CLASS(FastPacket);
 		GDREGISTER_CLASS(ReceiptWindow);
 		GDREGISTER_CLASS(SealedSocket);

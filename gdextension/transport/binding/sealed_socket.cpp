@@ -107,12 +107,24 @@ void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int6
 	_settings.max_confirmed = size_t(p_slots) - transport::LinkTable::MAX_HALF_OPEN - 1;
 }
 
+Error SealedSocket::set_announcement(const PackedByteArray &p_body) {
+	const transport::View body(p_body.ptr(), size_t(p_body.size()));
+	ERR_FAIL_COND_V_MSG(
+			body.size > transport::discovery::MAX_BODY, ERR_INVALID_PARAMETER, "An answer is longer than its question.");
+	_announcement = transport::Bytes(body.data, body.data + body.size);
+	if (_server) {
+		_server->set_announcement(_announcement);
+	}
+	return OK;
+}
+
 Error SealedSocket::open_server(const String &p_address, int64_t p_port) {
 	ERR_FAIL_COND_V_MSG(_server || _client, ERR_ALREADY_IN_USE, "The socket is open already.");
 	ERR_FAIL_COND_V_MSG(p_port < 0 || p_port > 65535, ERR_INVALID_PARAMETER, "There is no such port.");
 	const int failure = _socket.open_server(p_address.utf8().get_data(), uint16_t(p_port));
 	if (failure == 0) {
 		_server = std::make_unique<transport::ServerRelay>(_settings);
+		_server->set_announcement(_announcement);
 	}
 	return failure == 0 ? OK : ERR_CANT_CREATE;
 }
@@ -345,6 +357,7 @@ void SealedSocket::_bind_methods() {
 	ClassDB::bind_method(D_METHOD("set_server_key", "seed"), &SealedSocket::set_server_key);
 	ClassDB::bind_method(D_METHOD("set_known_key", "key"), &SealedSocket::set_known_key);
 	ClassDB::bind_method(D_METHOD("set_limits", "max_packet", "min_channels", "slots"), &SealedSocket::set_limits);
+	ClassDB::bind_method(D_METHOD("set_announcement", "body"), &SealedSocket::set_announcement);
 	ClassDB::bind_method(D_METHOD("open_server", "address", "port"), &SealedSocket::open_server);
 	ClassDB::bind_method(D_METHOD("open_client", "address", "port"), &SealedSocket::open_client);
 	ClassDB::bind_method(D_METHOD("tie", "host"), &SealedSocket::tie);

@@ -53,6 +53,7 @@ public:
 	void set_server_key(const PackedByteArray &p_seed);
 	void set_known_key(const PackedByteArray &p_key);
 	void set_limits(int64_t p_max_packet, int64_t p_min_channels, int64_t p_slots);
+	Error set_announcement(const PackedByteArray &p_body);
 	Error open_server(const String &p_address, int64_t p_port);
 	Error open_client(const String &p_address, int64_t p_port);
 	Error tie(const Ref<ENetConnection> &p_host);
@@ -100,6 +101,7 @@ private:
 	transport::ServerRelay::Settings _settings;
 	transport::ClientRelay::Settings _client_settings;
 	transport::RelaySocket _socket;
+	transport::Bytes _announcement;
 	std::unique_ptr<transport::ServerRelay> _server;
 	std::unique_ptr<transport::ClientRelay> _client;
 	transport::Endpoint _server_at;

@@ -29,6 +29,8 @@ constexpr Count COUNTS[] = {
 	{ "wrong_passwords", &transport::RelayCounts::wrong_passwords },
 	{ "half_open_evicted", &transport::RelayCounts::evicted },
 	{ "moved", &transport::RelayCounts::moved },
+	{ "questions", &transport::RelayCounts::questions },
+	{ "answers", &transport::RelayCounts::answers },
 };
 
 } // namespace

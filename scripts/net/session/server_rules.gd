@@ -77,10 +77,16 @@ func challenge() -> Challenge:
 	var made: Challenge = Challenge.new()
 	made.salt = _salt
 	made.nonce = Crypto.new().generate_random_bytes(32)
-	for role: Roles.Role in Roles.Role.values():
-		if password_of(role) != "":
-			made.locked_roles |= 1 << role
+	made.locked_roles = locked_roles()
 	return made
+
+
+## Bit r is set where the role of number r needs a password.
+func locked_roles() -> int:
+	var bits: int = 0
+	for role: Roles.Role in Roles.Role.values():
+		bits |= (1 << role) if password_of(role) != "" else 0
+	return bits
 
 
 ## Whether an address is this machine's own.

@@ -27,6 +27,12 @@ var sealing: TransportSealing = TransportSealing.off():
 		sealing = p_sealing
 		if _thread != null:
 			_thread.set_passwords(sealing.passwords)
+## On a server: what it tells clients that look for servers; nothing: it answers none.
+var announcement: PackedByteArray = PackedByteArray():
+	set(p_bytes):
+		announcement = p_bytes
+		if _thread != null:
+			_thread.announce(p_bytes)
 ## On a client: whether a thread serves it. Without one [method MultiplayerPeer.poll] does, which
 ## many clients in one process need. Set it before creating.
 var has_thread: bool = true
@@ -329,6 +335,7 @@ func _make_thread() -> TransportThread:
 	if guard != null:
 		guard.limits = limits
 	thread.sealing = sealing
+	thread.announcement = announcement
 	thread.callbacks = callbacks
 	return thread
 

@@ -32,6 +32,8 @@ var max_datagram: int = 1200
 var guard: TransportGuard = null
 ## Whether and how datagrams are sealed.
 var sealing: TransportSealing = TransportSealing.off()
+## On a server: what it tells clients that look for servers; nothing: it answers none.
+var announcement: PackedByteArray = PackedByteArray()
 ## What the thread calls.
 var callbacks: TransportCallbacks = TransportCallbacks.new()
 
@@ -261,6 +263,11 @@ func _describe_peers() -> Dictionary:
 func _order_passwords(p_of_roles: PackedStringArray) -> void:
 	sealing.passwords = p_of_roles
 	_socket.set_passwords(p_of_roles)
+
+
+func _order_announcement(p_bytes: PackedByteArray) -> void:
+	announcement = p_bytes
+	_socket.set_announcement(p_bytes)
 
 
 func _send(

@@ -138,6 +138,11 @@ func set_passwords(p_of_roles: PackedStringArray) -> void:
 	_post([_order_passwords, [p_of_roles]], true)
 
 
+## Tells clients that look for servers this, from now on; see [member announcement].
+func announce(p_bytes: PackedByteArray) -> void:
+	_post([_order_announcement, [p_bytes]], true)
+
+
 func _post(p_order: Array, p_must: bool) -> bool:
 	var room: bool = mailbox.post(p_order, p_must)
 	_pump.wake()
@@ -150,6 +155,7 @@ func _open() -> Error:
 	var clients: int = guard.limits.max_clients if guard != null else TransportLimits.MIN_CLIENTS
 	var slots: int = mini(ARRIVING_SLOTS + clients, MAX_SLOTS) if _server else 1
 	if _server:
+		_socket.set_announcement(announcement)
 		_socket.set_limits(guard.limits.max_packet if guard != null else 0, CHANNELS, slots)
 		var opened: Error = _socket.open_server(_address, _port)
 		if opened != OK:

@@ -28,6 +28,13 @@ static func rows() -> Array[OptionRow]:
 				"maximum of clients from one address; -1: a quarter of --max-clients, 4 at least; 0: any"
 			)
 		),
+		OptionRow.text(
+			"server-name",
+			server,
+			"what clients that look for servers see; by default the name of the machine",
+			ServerAnnouncement.MAX_NAME
+		),
+		OptionRow.flag("discovery", server, "answer clients that look for servers").or_default(1),
 		OptionRow.file(
 			"server-key",
 			server,

@@ -24,6 +24,8 @@ struct RelayCounts {
 	uint64_t wrong_passwords = 0;
 	uint64_t evicted = 0; ///< Half-open connections that made room.
 	uint64_t moved = 0; ///< Connections that went on from another address.
+	uint64_t questions = 0; ///< Clients that look for servers have asked.
+	uint64_t answers = 0; ///< Of these questions, those that were answered.
 };
 
 } // namespace transport

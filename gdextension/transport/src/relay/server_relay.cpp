@@ -21,7 +21,8 @@ constexpr int64_t STOOD_STILL_USEC = 1000000;
 ServerRelay::ServerRelay(Settings p_settings) :
 		_settings(std::move(p_settings)),
 		_links(_settings.max_confirmed),
-		_handshake(_settings.version, std::move(_settings.passwords), _counts) {}
+		_handshake(_settings.version, std::move(_settings.passwords), _counts),
+		_answering(_counts) {}
 
 void ServerRelay::take_outer(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink) {
 	// Nothing can be sent to port 0: the attempt would be an error of ENet's.
@@ -31,6 +32,10 @@ void ServerRelay::take_outer(const Endpoint &p_from, const View &p_bytes, int64_
 	}
 	if (p_bytes.size == 0) {
 		_counts.stray++;
+		return;
+	}
+	if (AnsweringMachine::is_asked(p_bytes)) {
+		_answering.take(p_from, p_bytes, p_now_usec, r_sink);
 		return;
 	}
 	if (!_settings.seals) {

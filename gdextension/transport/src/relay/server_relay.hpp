@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "../discovery/answering_machine.hpp"
 #include "../sealing/server_identity.hpp"
 #include "link_table.hpp"
 #include "server_handshake.hpp"
@@ -35,6 +36,8 @@ public:
 
 	/// Other passwords, for those who come from now on.
 	void set_passwords(const ServerHandshake::Passwords &p_passwords) { _handshake.set_passwords(p_passwords); }
+	/// What clients that look for servers are told; nothing: they are not answered. False if it is too long.
+	bool set_announcement(const View &p_body) { return _answering.set_body(p_body); }
 	/// A datagram has come from the network.
 	void take_outer(const Endpoint &p_from, const View &p_bytes, int64_t p_now_usec, RelaySink &r_sink);
 	/// ENet has sent a datagram to one of its clients.
@@ -75,6 +78,7 @@ private:
 	LinkTable _links;
 	RelayCounts _counts;
 	ServerHandshake _handshake;
+	AnsweringMachine _answering;
 	int64_t _looked_usec = 0;
 	Bytes _opened;
 	Bytes _sealed;

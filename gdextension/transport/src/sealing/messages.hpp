@@ -26,6 +26,7 @@ enum Type : uint8_t {
 	MOVED = 0x49,
 	/// Without sealing: a message beside ENet.
 	OPEN_FAST = 0x4A,
+	// 0x4B and 0x4C: see discovery::QUESTION and discovery::ANSWER.
 };
 
 /// What a NOTICE says.
