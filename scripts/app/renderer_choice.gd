@@ -37,9 +37,7 @@ static func apply(p_option: String) -> void:
 		return
 	var current: String = RenderingServer.get_current_rendering_method()
 	var command: HmdCommand = HmdCommand.of_this_process()
-	var chosen: String = choose(
-		p_option, command.renderer, current, Quality.draws_by_processor()
-	)
+	var chosen: String = choose(p_option, command.renderer, current, Quality.draws_by_processor())
 	if chosen == current:
 		return
 	Log.info(

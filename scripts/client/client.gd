@@ -12,7 +12,7 @@ signal left(p_exit_code: int)
 
 ## Whether whoever began the session shows why it has ended: then nothing is left standing in the
 ## window.
-var is_guest: bool = false
+var returns: bool = false
 ## Why the session could not begin or go on; empty where it did.
 var fault: String = ""
 ## Whether the user wants the whole program to end: the window was closed, or the system asks.
@@ -116,7 +116,7 @@ func _fail(p_code: int, p_why: String) -> void:
 	_hud.show_message(p_why.left(1).to_upper() + p_why.substr(1) + ".")
 	var is_read: bool = p_code == StateStream.EXIT_REFUSED or p_code == StateStream.EXIT_OPTIONS
 	var has_end: bool = _context.options.seconds("duration") > 0.0
-	if not is_read or is_guest or ClientContext.is_headless() or has_end:
+	if not is_read or returns or ClientContext.is_headless() or has_end:
 		_leave(p_code)
 		return
 	# Nothing moves any more: the picture is drawn again where it changes only.

@@ -15,14 +15,21 @@ signal left(p_exit_code: int)
 
 ## The screens by name, each a [ShellScreen].
 const SCREENS: Dictionary[StringName, String] = {
+	&"join": "res://scripts/app/shell/join_screen.gd",
+	&"watch": "res://scripts/app/shell/join_screen.gd",
+	&"instruct": "res://scripts/app/shell/join_screen.gd",
 	&"host": "res://scripts/app/shell/host_screen.gd",
 	&"review": "res://scripts/app/shell/review_screen.gd",
 }
 
+## As what a user takes part, by the screen that leads there.
+const _ROLES: Dictionary[StringName, String] = {
+	&"join": "trainee", &"watch": "observer", &"instruct": "instructor"
+}
 ## Frames a second where a processor draws: the film has no more to show.
 const _SOFTWARE_FPS: int = 30
 
-var _start: StartScreen = StartScreen.new()
+var _start: StartScreen = StartScreen.new(SCREENS.keys())
 var _screen: ShellScreen = null
 ## The control that had the keyboard when a screen was opened.
 var _returns_to: Control = null
@@ -77,7 +84,10 @@ func _notification(p_what: int) -> void:
 
 ## Opens a screen by its name in [constant SCREENS].
 func open(p_name: StringName) -> void:
-	show_screen((load(SCREENS[p_name]) as GDScript).new())
+	var screen: ShellScreen = (load(SCREENS[p_name]) as GDScript).new()
+	if screen is JoinScreen:
+		(screen as JoinScreen).choose_role(_ROLES[p_name])
+	show_screen(screen)
 
 
 ## Shows a screen in place of the start screen, until its user closes it.
@@ -91,9 +101,18 @@ func show_screen(p_screen: ShellScreen) -> void:
 	_screen.screen_wanted.connect(open)
 	if _screen is HostScreen:
 		(_screen as HostScreen).host_wanted.connect(host_wanted.emit)
+	elif _screen is RefusalScreen:
+		(_screen as RefusalScreen).retry_wanted.connect(_retry)
 	_start.hide()
 	add_child(_screen)
 	_screen.focus_first()
+
+
+## Leads to the screen from which a session can be joined, filled in as it was.
+func _retry(p_choice: SessionChoice) -> void:
+	var screen: JoinScreen = JoinScreen.new()
+	screen.take(p_choice)
+	show_screen(screen)
 
 
 func _close() -> void:

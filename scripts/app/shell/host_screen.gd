@@ -57,6 +57,11 @@ func _init() -> void:
 	_show_addresses()
 
 
+func _notification(p_what: int) -> void:
+	if p_what == NOTIFICATION_TRANSLATION_CHANGED and _addresses != null:
+		_show_addresses()
+
+
 func focus_first() -> void:
 	_begin.grab_focus()
 
@@ -113,8 +118,3 @@ func _show_addresses() -> void:
 		_addresses.text = (
 			tr("Others find it in their list, or type %s, port %d.") % [found[0], port]
 		)
-
-
-func _notification(p_what: int) -> void:
-	if p_what == NOTIFICATION_TRANSLATION_CHANGED and _addresses != null:
-		_show_addresses()

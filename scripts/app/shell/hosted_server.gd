@@ -2,7 +2,7 @@ class_name HostedServer
 extends RefCounted
 ## A dedicated server that the user's own program starts beside itself, as a process of its own.
 ##
-## It ends with this program, or when [method stop] is called, unless it is told to stay.
+## It ends with this program, or when [method stop] is called, unless it is to stay.
 
 ## First port that is tried; where it is taken the system chooses one.
 const FIRST_PORT: int = Protocol.DEFAULT_PORT

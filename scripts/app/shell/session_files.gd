@@ -27,9 +27,9 @@ static func new_recording(p_world: String) -> String:
 static func recordings() -> PackedStringArray:
 	var folder: String = ProjectSettings.globalize_path(FOLDER)
 	var found: PackedStringArray = []
-	for file: String in (
-		DirAccess.get_files_at(folder) if DirAccess.dir_exists_absolute(folder) else []
-	):
+	if not DirAccess.dir_exists_absolute(folder):
+		return found
+	for file: String in DirAccess.get_files_at(folder):
 		if file.get_extension() == EXTENSION:
 			found.append(folder.path_join(file))
 	found.sort()

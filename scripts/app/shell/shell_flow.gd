@@ -73,7 +73,7 @@ func _begin(p_choice: SessionChoice) -> void:
 	_shell.queue_free()
 	_shell = null
 	_client = _CLIENT.instantiate()
-	_client.is_guest = true
+	_client.returns = true
 	_client.configure(p_choice.role, options, ProgramParts.of_client(p_choice.role))
 	_client.left.connect(_on_left)
 	add_child(_client)

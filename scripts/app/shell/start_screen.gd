@@ -15,11 +15,14 @@ const _WIDTH_PX: float = 320.0
 ## Space between two groups of choices, px.
 const _GAP_PX: float = 10.0
 
+var _screens: Array = []
 var _rows: VBoxContainer = VBoxContainer.new()
 var _hint: Label = Label.new()
 
 
-func _init() -> void:
+## [param p_screens] are the names of the screens that there are.
+func _init(p_screens: Array) -> void:
+	_screens = p_screens
 	set_anchors_preset(Control.PRESET_LEFT_WIDE)
 	var column: PanelContainer = PanelContainer.new()
 	column.theme_type_variation = UiStyle.COLUMN
@@ -69,16 +72,12 @@ func _add_choices() -> void:
 	_add_command("Build", "editor", "Make levels and scenarios in the editor")
 	_add_command("Effects studio", "studio", "Make particle effects")
 	_add_gap()
-	_add_screen(
-		"My body", &"body", "Motion capture, avatar, headset: what is there and what is missing"
-	)
-	_add_screen("Settings", &"settings", "Picture, sound, controls, language and access")
 	_add("Quit", "", leave_wanted.emit)
 
 
 func _add_screen(p_text: String, p_name: StringName, p_hint: String) -> void:
 	var button: Button = _add(p_text, p_hint, screen_wanted.emit.bind(p_name))
-	button.visible = AppShell.SCREENS.has(p_name)
+	button.visible = _screens.has(p_name)
 
 
 func _add_command(p_text: String, p_command: String, p_hint: String) -> void:

@@ -4,7 +4,7 @@ extends ClientPart
 ## for.
 
 ## Frames that take longer than this, s, are those in which a world loads.
-const _LONGEST_FRAME_S: float = 0.25
+const _MAX_STEP_S: float = 0.25
 
 
 func open(p_context: ClientContext) -> String:
@@ -13,7 +13,7 @@ func open(p_context: ClientContext) -> String:
 	var recording: RecordedStream = RecordedStream.of_file(
 		options.file("file"), options.seconds("from")
 	)
-	recording.max_step_s = _LONGEST_FRAME_S
+	recording.max_step_s = _MAX_STEP_S
 	context.stream = recording
 	return ""
 
