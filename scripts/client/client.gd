@@ -10,6 +10,9 @@ extends Node
 ## The session is over and nothing of it runs: the exit code of the program.
 signal left(p_exit_code: int)
 
+@export var _scene: ClientScene
+@export var _hud: Hud
+
 ## Whether whoever began the session shows why it has ended: then nothing is left standing in the
 ## window.
 var returns: bool = false
@@ -17,9 +20,6 @@ var returns: bool = false
 var fault: String = ""
 ## Whether the user wants the whole program to end: the window was closed, or the system asks.
 var ends_program: bool = false
-
-@export var _scene: ClientScene
-@export var _hud: Hud
 
 var _context: ClientContext = ClientContext.new()
 var _list: PartList = PartList.new()

@@ -32,6 +32,12 @@ const _LOOK_USEC: int = 100000
 
 ## Bytes in and out.
 var traffic: TrafficMeter = TrafficMeter.new()
+## What clients that look for servers get, from now on: see [ServerAnnouncement].
+var announcement: PackedByteArray = PackedByteArray():
+	set(p_bytes):
+		announcement = p_bytes
+		if _peer != null:
+			_peer.announcement = p_bytes
 ## Whom the server admits.
 var rules: ServerRules = ServerRules.new()
 ## Number of messages that were refused since the start, by the key of the complaint.
@@ -102,12 +108,6 @@ func listen(p_port: int, p_rules: ServerRules, p_address: String = "*") -> Error
 func renew_passwords() -> void:
 	if _peer != null:
 		_peer.sealing = rules.sealing()
-
-
-## Tells clients that look for servers this, from now on: see [ServerAnnouncement].
-func announce(p_bytes: PackedByteArray) -> void:
-	if _peer != null:
-		_peer.announcement = p_bytes
 
 
 ## Processes what has arrived. Call it once per physics tick, before the simulation needs it.

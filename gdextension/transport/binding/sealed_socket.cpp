@@ -109,8 +109,8 @@ void SealedSocket::set_limits(int64_t p_max_packet, int64_t p_min_channels, int6
 
 Error SealedSocket::set_announcement(const PackedByteArray &p_body) {
 	const transport::View body(p_body.ptr(), size_t(p_body.size()));
-	ERR_FAIL_COND_V_MSG(
-			body.size > transport::discovery::MAX_BODY, ERR_INVALID_PARAMETER, "An answer is longer than its question.");
+	ERR_FAIL_COND_V_MSG(body.size > transport::discovery::MAX_BODY, ERR_INVALID_PARAMETER,
+			"An answer is longer than its question.");
 	_announcement = transport::Bytes(body.data, body.data + body.size);
 	if (_server) {
 		_server->set_announcement(_announcement);

@@ -1,8 +1,8 @@
 class_name AppShell
 extends Control
 ## The program before a session: the start screen over a living world, and the screens that it
-## leads to. It begins nothing itself: [ShellFlow] does what its signals say, and shows it again when
-## the session is over.
+## leads to. It begins nothing itself: [ShellFlow] does what its signals say, and shows it again
+## when the session is over.
 
 ## The user wants to begin a session.
 signal session_wanted(p_choice: SessionChoice)

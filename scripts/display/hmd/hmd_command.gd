@@ -20,8 +20,8 @@ const _METHOD: String = "--rendering-method"
 const _HEADSETS: String = "mobile"
 ## Flags of the engine that name a file or folder.
 const _PATHS: PackedStringArray = ["--path", "--main-pack", "--log-file"]
-## The argument by which a package's loader gets its libraries, and the number of arguments up to the
-## program itself.
+## The argument by which a package's loader gets its libraries, and the number of arguments up to
+## the program itself.
 const _LOADER: String = "--library-path"
 const _LOADED: int = 3
 

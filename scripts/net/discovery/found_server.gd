@@ -1,6 +1,9 @@
 class_name FoundServer
 extends RefCounted
-## A server that [ServerFinder] has found or was asked to look for.
+## A server that a [code]ServerFinder[/code] has found or was asked to look for.
+
+## Rounds of questions without an answer after which a server counts as gone.
+const MAX_MISSED: int = 3
 
 ## Where it is: what the user joins.
 var address: ServerAddress = ServerAddress.new()
@@ -28,7 +31,7 @@ static func key_of(p_host: String, p_port: int) -> String:
 
 ## Whether it has answered lately.
 func answers() -> bool:
-	return announcement != null and missed <= ServerFinder.MAX_MISSED
+	return announcement != null and missed <= MAX_MISSED
 
 
 ## What it is called: as it says, else its address.

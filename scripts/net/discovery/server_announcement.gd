@@ -17,7 +17,7 @@ const MAX_PROGRAM: int = 32
 const _ROLE_BITS: int = 0x3F
 const _WAITING_ROOM: int = 0x40
 const _SEALS: int = 0x80
-const _MOST_U16: int = 0xFFFF
+const _MAX_U16: int = 0xFFFF
 
 ## Version of the protocol that the server speaks.
 var protocol: int = Protocol.VERSION
@@ -50,8 +50,8 @@ func encode() -> PackedByteArray:
 	bytes.encode_u8(0, VERSION)
 	bytes.encode_u32(1, protocol)
 	bytes.encode_s64(5, run)
-	bytes.encode_u16(13, clampi(people, 0, _MOST_U16))
-	bytes.encode_u16(15, clampi(places, 0, _MOST_U16))
+	bytes.encode_u16(13, clampi(people, 0, _MAX_U16))
+	bytes.encode_u16(15, clampi(places, 0, _MAX_U16))
 	var flags: int = locked_roles & _ROLE_BITS
 	flags |= _WAITING_ROOM if has_waiting_room else 0
 	flags |= _SEALS if seals else 0

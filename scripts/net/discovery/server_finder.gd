@@ -11,8 +11,6 @@ signal changed
 
 ## Servers in the list at most, without those that were asked for by the user.
 const MAX_FOUND: int = 256
-## Rounds of questions without an answer after which a server counts as gone.
-const MAX_MISSED: int = 3
 ## UDP ports that are tried where no port is known.
 const PORTS: PackedInt32Array = [7777, 7778, 7779, 7780]
 ## This machine.
@@ -149,10 +147,10 @@ func _end_round() -> bool:
 	var is_new: bool = false
 	for server: FoundServer in _wanted.values():
 		server.missed += 1
-		is_new = is_new or server.missed == MAX_MISSED + 1
+		is_new = is_new or server.missed == FoundServer.MAX_MISSED + 1
 	for key: String in _found.keys():
 		_found[key].missed += 1
-		if _found[key].missed > MAX_MISSED:
+		if _found[key].missed > FoundServer.MAX_MISSED:
 			_found.erase(key)
 			is_new = true
 	return is_new
@@ -210,9 +208,9 @@ static func _run_of(p_server: FoundServer) -> String:
 	return "%d %d" % [p_server.announcement.run, p_server.address.port]
 
 
-## How good an address of a server is, as a machine has several: nobody from elsewhere can answer for
-## this machine, and an IPv6 address of a link is good on that link only. Of two addresses that are as
-## good neither is left out, so that nobody hides a server by answering for it.
+## How good an address of a server is, as a machine has several: nobody from elsewhere can answer
+## for this machine, and an IPv6 address of a link is good on that link only. Of two addresses that
+## are as good neither is left out, so that nobody hides a server by answering for it.
 static func _rank(p_server: FoundServer) -> int:
 	var host: String = p_server.address.host
 	if host.begins_with("127.") or host == "::1":

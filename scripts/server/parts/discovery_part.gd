@@ -31,7 +31,7 @@ func frame() -> void:
 	var bytes: PackedByteArray = describe().encode()
 	if bytes != _announced:
 		_announced = bytes
-		context.link.announce(bytes)
+		context.link.announcement = bytes
 
 
 func report() -> Dictionary:

@@ -24,7 +24,7 @@ static func open(p_name: String, p_seals: bool = true) -> RefCounted:
 
 ## Says what has changed.
 func announce() -> void:
-	link.announce(said.encode())
+	link.announcement = said.encode()
 
 
 func close() -> void:
