@@ -3,8 +3,8 @@ extends SceneTree
 ## written over the picture. film_backdrop.sh runs it; the engine's movie writer takes the frames.
 
 const _CLIENT: PackedScene = preload("res://scenes/client/client.tscn")
-## How far the camera glides about where the options put it: about the vertical and the horizon, rad,
-## and nearer and further, m.
+## How far the camera glides about where the options put it: about the vertical and the horizon,
+## rad, and nearer and further, m.
 const _GLIDE: Vector3 = Vector3(0.12, 0.03, 2.0)
 const _PERIOD_S: float = 16.0
 
