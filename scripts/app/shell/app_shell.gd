@@ -29,6 +29,9 @@ const _ROLES: Dictionary[StringName, String] = {
 ## Frames a second where a processor draws: the film has no more to show.
 const _SOFTWARE_FPS: int = 30
 
+## Whether servers are looked for on this machine's networks, besides on this machine.
+var looks_on_networks: bool = true
+
 var _start: StartScreen = StartScreen.new(SCREENS.keys())
 var _screen: ShellScreen = null
 ## The control that had the keyboard when a screen was opened.
@@ -50,6 +53,7 @@ func _init() -> void:
 ## Takes over the options. Call it before the node enters the tree.
 func configure(p_options: Options) -> void:
 	var duration_s: float = p_options.seconds("duration")
+	looks_on_networks = p_options.is_on("discovery")
 	if duration_s > 0.0:
 		_end_usec = Time.get_ticks_usec() + int(duration_s * 1e6)
 
@@ -84,10 +88,10 @@ func _notification(p_what: int) -> void:
 
 ## Opens a screen by its name in [constant SCREENS].
 func open(p_name: StringName) -> void:
-	var screen: ShellScreen = (load(SCREENS[p_name]) as GDScript).new()
-	if screen is JoinScreen:
-		(screen as JoinScreen).choose_role(_ROLES[p_name])
-	show_screen(screen)
+	if _ROLES.has(p_name):
+		_open_join().choose_role(_ROLES[p_name])
+	else:
+		show_screen((load(SCREENS[p_name]) as GDScript).new())
 
 
 ## Shows a screen in place of the start screen, until its user closes it.
@@ -110,9 +114,19 @@ func show_screen(p_screen: ShellScreen) -> void:
 
 ## Leads to the screen from which a session can be joined, filled in as it was.
 func _retry(p_choice: SessionChoice) -> void:
-	var screen: JoinScreen = JoinScreen.new()
-	screen.take(p_choice)
+	_open_join().take(p_choice)
+	_screen.focus_first()
+
+
+func _open_join() -> JoinScreen:
+	var finder: ServerFinder = ServerFinder.new()
+	if looks_on_networks:
+		finder = ServerFinder.of_all_networks()
+	else:
+		finder.hosts = ServerFinder.HERE
+	var screen: JoinScreen = JoinScreen.new(finder)
 	show_screen(screen)
+	return screen
 
 
 func _close() -> void:

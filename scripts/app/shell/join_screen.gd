@@ -25,10 +25,11 @@ var _join: Button = null
 var _favourite: Button = null
 
 
-## Tests name a finder and a book of their own.
-func _init(p_finder: ServerFinder = null, p_book: ServerBook = null) -> void:
+## Servers are found by a finder, which begins when the screen is shown; by default what is
+## remembered of them is the user's own.
+func _init(p_finder: ServerFinder, p_book: ServerBook = null) -> void:
 	super("Join a session")
-	finder = p_finder if p_finder != null else ServerFinder.of_all_networks()
+	finder = p_finder
 	_book = p_book if p_book != null else ServerBook.new()
 	_list.set_titles(_COLUMNS, _WIDTHS, 0)
 	_list.auto_translate_mode = Node.AUTO_TRANSLATE_MODE_DISABLED

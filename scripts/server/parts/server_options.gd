@@ -34,7 +34,15 @@ static func rows() -> Array[OptionRow]:
 			"what clients that look for servers see; by default the name of the machine",
 			ServerAnnouncement.MAX_NAME
 		),
-		OptionRow.flag("discovery", server, "answer clients that look for servers").or_default(1),
+		(
+			OptionRow
+			. flag(
+				"discovery",
+				[ProgramRoles.SERVER, ProgramRoles.START],
+				"answer clients that look for servers; the start screen: look for them on networks"
+			)
+			. or_default(1)
+		),
 		OptionRow.file(
 			"server-key",
 			server,
