@@ -38,6 +38,7 @@ var _screen: ShellScreen = null
 var _returns_to: Control = null
 var _stop: StopSignal = StopSignal.new()
 var _end_usec: int = 0
+var _port: int = Protocol.DEFAULT_PORT
 
 
 func _init() -> void:
@@ -53,6 +54,7 @@ func _init() -> void:
 ## Takes over the options. Call it before the node enters the tree.
 func configure(p_options: Options) -> void:
 	var duration_s: float = p_options.seconds("duration")
+	_port = p_options.number("port")
 	looks_on_networks = p_options.is_on("discovery")
 	if duration_s > 0.0:
 		_end_usec = Time.get_ticks_usec() + int(duration_s * 1e6)
@@ -104,6 +106,7 @@ func show_screen(p_screen: ShellScreen) -> void:
 	_screen.begin_wanted.connect(session_wanted.emit)
 	_screen.screen_wanted.connect(open)
 	if _screen is HostScreen:
+		(_screen as HostScreen).wanted_port = _port
 		(_screen as HostScreen).host_wanted.connect(host_wanted.emit)
 	elif _screen is RefusalScreen:
 		(_screen as RefusalScreen).retry_wanted.connect(_retry)

@@ -9,6 +9,8 @@ const _FROM_S: float = 2.0
 ## A trainee whose server has ended ends after this time, s.
 const _PATIENCE_S: float = 10.0
 
+## UDP port of the server, where it is free.
+var wanted_port: int = Protocol.DEFAULT_PORT
 ## The server.
 var server: HostedServer = HostedServer.new()
 
@@ -18,6 +20,7 @@ var _trainee: ChildProcess = ChildProcess.new()
 ## Starts both. Returns what is wrong, or an empty text.
 func start() -> String:
 	server.is_on_network = false
+	server.wanted_port = wanted_port
 	var fault: String = server.start()
 	if fault != "":
 		return fault

@@ -12,6 +12,12 @@ const _ROLES: Dictionary[String, String] = {
 }
 const _WORLDS_OWN: String = "As the world has it"
 
+## UDP port of the server, where it is free.
+var wanted_port: int = Protocol.DEFAULT_PORT:
+	set(p_port):
+		wanted_port = p_port
+		_show_addresses()
+
 var _world: WorldPicker = WorldPicker.new()
 var _role: OptionButton = OptionButton.new()
 var _weather: OptionButton = OptionButton.new()
@@ -82,6 +88,7 @@ func _fill_lists() -> void:
 
 func _on_begin() -> void:
 	var server: HostedServer = HostedServer.new()
+	server.wanted_port = wanted_port
 	server.world = _world.world
 	server.password = _password.text
 	server.is_on_network = _network.button_pressed
@@ -109,7 +116,7 @@ func _more() -> PackedStringArray:
 
 func _show_addresses() -> void:
 	var found: PackedStringArray = HostedServer.addresses()
-	var port: int = HostedServer.find_port()
+	var port: int = HostedServer.find_port(wanted_port)
 	if not _network.button_pressed:
 		_addresses.text = tr("Only this machine can join.")
 	elif found.is_empty():

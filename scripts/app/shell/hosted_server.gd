@@ -4,12 +4,12 @@ extends RefCounted
 ##
 ## It ends with this program, or when [method stop] is called, unless it is to stay.
 
-## First port that is tried; where it is taken the system chooses one.
-const FIRST_PORT: int = Protocol.DEFAULT_PORT
 const _LOG: String = "user://logs/hosted-server.log"
 ## A server's log line of a fault, as [Log] writes it.
 const _FAULT: String = " ERROR "
 
+## UDP port that is tried first; where it is taken the system chooses one.
+var wanted_port: int = Protocol.DEFAULT_PORT
 ## World of the server, see [LevelStore].
 var world: String = LevelStore.DEFAULT
 ## Password of the session. Empty: it asks for none.
@@ -26,13 +26,13 @@ var port: int = 0
 var _process: ChildProcess = ChildProcess.new()
 
 
-## A UDP port that nobody uses.
-static func find_port(p_address: String = "*") -> int:
+## A UDP port that nobody uses: the wanted one, if it is free.
+static func find_port(p_wanted: int, p_address: String = "*") -> int:
 	var socket: PacketPeerUDP = PacketPeerUDP.new()
-	var error: Error = socket.bind(FIRST_PORT, p_address)
+	var error: Error = socket.bind(p_wanted, p_address)
 	if error != OK:
 		error = socket.bind(0, p_address)
-	var found: int = socket.get_local_port() if error == OK else FIRST_PORT
+	var found: int = socket.get_local_port() if error == OK else p_wanted
 	socket.close()
 	return found
 
@@ -55,7 +55,7 @@ static func addresses() -> PackedStringArray:
 ## Starts it. Returns what is wrong, or an empty text.
 func start() -> String:
 	var address: String = "*" if is_on_network else "127.0.0.1"
-	port = find_port(address)
+	port = find_port(wanted_port, address)
 	var command: PackedStringArray = ProgramPaths.server()
 	command.append_array(["--", "--role=server", "--port=%d" % port, "--world=" + world])
 	command.append("--bind=" + address)

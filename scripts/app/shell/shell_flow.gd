@@ -55,6 +55,7 @@ func _host(p_server: HostedServer, p_choice: SessionChoice) -> void:
 
 func _demonstrate() -> void:
 	var demonstration: Demonstration = Demonstration.new()
+	demonstration.wanted_port = _options.number("port")
 	var fault: String = demonstration.start()
 	if fault != "":
 		_shell.show_screen(RefusalScreen.new(demonstration.choice(), fault))

@@ -8,8 +8,15 @@ static func rows() -> Array[OptionRow]:
 	var joining: PackedStringArray = ProgramRoles.joining()
 	var both: PackedStringArray = PackedStringArray([ProgramRoles.SERVER]) + joining
 	var clients: PackedStringArray = Roles.names()
+	var hosting: PackedStringArray = both + PackedStringArray([ProgramRoles.START])
 	return [
-		OptionRow.number("port", both, Protocol.DEFAULT_PORT, [1, 65535], "UDP port of the server"),
+		OptionRow.number(
+			"port",
+			hosting,
+			Protocol.DEFAULT_PORT,
+			[1, 65535],
+			"UDP port of the server; of the start screen: where sessions are hosted, if it is free"
+		),
 		OptionRow.text("host", joining, "address of the server").or_default("127.0.0.1"),
 		OptionRow.text(
 			"name",
