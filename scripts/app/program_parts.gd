@@ -33,6 +33,7 @@ const CLIENT: Dictionary[String, Who] = {
 	"res://scripts/client/suit/mocap_setup.gd": Who.MOVES,
 	"res://scripts/client/orders/instructor_desk.gd": Who.MODERATES,
 	"res://scripts/client/level/client_levels.gd": Who.LIVE,
+	"res://scripts/client/session/join_cover.gd": Who.LIVE,
 	"res://scripts/client/level/effect_updates.gd": Who.LIVE,
 	"res://scripts/client/session/world_updates.gd": Who.ALL,
 	"res://scripts/client/sound/client_sound.gd": Who.ALL,

@@ -40,6 +40,11 @@ func configure(p_role: String, p_options: Options, p_parts: PackedStringArray) -
 	_parts.assign(_list.parts)
 
 
+## Ends the session, as what it needs has ended; the reason is for people.
+func give_up(p_why: String) -> void:
+	_fail(StateStream.EXIT_REFUSED, p_why)
+
+
 func _ready() -> void:
 	ClientPhysics.begin()
 	get_tree().auto_accept_quit = false

@@ -45,6 +45,8 @@ var menus: Array[Callable] = []
 ## Sees a message about the world before it is taken in, and says whether it keeps that message for
 ## later: [code]func(bytes: PackedByteArray) -> bool[/code]. Not valid: every message is taken in.
 var keeper: Callable = Callable()
+## How much of the session's first world is there, 0 to 1.
+var arrived: float = 0.0
 ## When the session began, by the clock of [member stream], s.
 var begin_s: float = 0.0
 ## Name of a file to write that no other start of this program has written: see

@@ -52,6 +52,9 @@ func _ready() -> void:
 	for part: Control in [rows, answers]:
 		part.minimum_size_changed.connect(_fit)
 	get_viewport().size_changed.connect(_fit)
+	for part: Control in [rows, answers]:
+		part.child_order_changed.connect(_join_ends)
+	_join_ends()
 	_fit()
 
 
@@ -86,6 +89,23 @@ static func _button(p_text: String, p_pressed: Callable) -> Button:
 	button.name = p_text.to_pascal_case()
 	button.pressed.connect(p_pressed)
 	return button
+
+
+## From the first button the keyboard goes up to the last one, and down again.
+func _join_ends() -> void:
+	if not is_inside_tree():
+		return
+	var buttons: Array[Node] = rows.find_children("*", "Button", false, false)
+	buttons.append_array(answers.find_children("*", "Button", false, false).slice(0, 1))
+	if buttons.size() < 2:
+		return
+	for button: Control in buttons:
+		button.focus_neighbor_top = ^""
+		button.focus_neighbor_bottom = ^""
+	var first: Control = buttons[0]
+	var last: Control = buttons[-1]
+	first.focus_neighbor_top = first.get_path_to(last)
+	last.focus_neighbor_bottom = last.get_path_to(first)
 
 
 func _fit() -> void:

@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import signal
-
 from .conftest import World
 from .pictures import Picture, Window, colours
 
@@ -57,5 +55,4 @@ def test_a_refused_client_says_so_costs_little_and_ends_when_asked(
     window.process.await_text("password")
     window.await_picture(lambda picture: bool((picture.min(axis=2) > 200).sum() > 50), "why")
     window.screen.close()
-    window.process.signal(signal.SIGTERM)
-    assert window.process.await_exit() == 3
+    assert window.process.end() == 3

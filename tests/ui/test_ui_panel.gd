@@ -44,6 +44,22 @@ func test_a_panel_that_is_too_high_scrolls_to_what_has_the_keyboard() -> void:
 	is_true(panel.get_global_rect().encloses(last.get_global_rect()))
 
 
+func test_from_the_first_button_the_keyboard_goes_up_to_the_last() -> void:
+	var panel: UiPanel = UiPanel.new("Title", 200.0)
+	_screen.add_child(panel)
+	for row: int in 3:
+		panel.add_button("Row %d" % row, func() -> void: pass)
+	panel.rows.move_child(panel.find_child("Row2", true, false), 1)
+	await process_frames(2)
+	(panel.find_child("Row0", true, false) as Button).grab_focus()
+	for expected: String in ["Row1", "Row2", "Row0"]:
+		_press(&"ui_up")
+		equal(str(_screen.gui_get_focus_owner().name), expected)
+	_press(&"ui_up")
+	_press(&"ui_down")
+	equal(str(_screen.gui_get_focus_owner().name), "Row0")
+
+
 func test_the_safe_answer_is_given_by_escape_and_has_the_keyboard() -> void:
 	var given: Array[int] = []
 	var prompt: UiPrompt = UiPrompt.new("Really?")

@@ -27,6 +27,16 @@ func _ready() -> void:
 	_open_shell()
 
 
+func _process(_delta: float) -> void:
+	# Another program may have taken its port meanwhile: the client would go on there.
+	for program: RefCounted in _beside:
+		var server: HostedServer = program as HostedServer
+		if _client != null and server != null and not server.is_running():
+			_beside.erase(program)
+			_client.give_up(tr("The server has ended: %s") % server.fault())
+			return
+
+
 func _exit_tree() -> void:
 	_stop_beside()
 

@@ -26,6 +26,7 @@ func open(p_context: ClientContext) -> String:
 
 func advance(p_delta_s: float) -> void:
 	_arrival.advance(p_delta_s, context.take)
+	context.arrived = _arrival.first_progress()
 
 
 func report() -> Dictionary:

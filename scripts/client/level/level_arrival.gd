@@ -95,12 +95,26 @@ func advance(p_delta_s: float, p_take: Callable) -> void:
 	_tell()
 
 
+## How much of the level that is waited for is there, 0 to 1: its files first, then its nodes. 1
+## where nothing is waited for.
+func progress() -> float:
+	return download.progress() if wait == Wait.FILES else _loader.progress()
+
+
+## How much of the first level is there, 0 to 1: 0 before the server has named it.
+func first_progress() -> float:
+	if loaded > 0:
+		return 1.0
+	# Its last part is to be seen by those who wait, not to be seen through.
+	return minf(progress(), 0.99) if wait != Wait.NOTHING else 0.0
+
+
 ## How it stands, for a report.
 func report() -> Dictionary:
 	return {
 		"name": _reference.name if _reference != null else "",
 		"waits_for": (Wait.keys()[wait] as String).to_lower(),
-		"progress": download.progress() if wait == Wait.FILES else _loader.progress(),
+		"progress": progress(),
 		"loaded": loaded,
 		"seconds": seconds,
 		"downloaded_bytes": downloaded,
