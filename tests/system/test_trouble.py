@@ -32,7 +32,10 @@ def test_the_port_is_in_use_and_options_come_from_the_environment(world: World) 
 
 @pytest.mark.parametrize(
     ("option", "words"),
-    [("--max-client=3", "did you mean --max-clients?"), ("--role=king", "--role is one of server")],
+    [
+        ("--max-client=3", "did you mean --max-clients?"),
+        ("--role=king", "--role is one of start, server"),
+    ],
 )
 def test_a_wrong_option(world: World, option: str, words: str) -> None:
     process = world.server(option, wait=False)

@@ -64,7 +64,7 @@ func _ready() -> void:
 	_stop.watch()
 	if Quality.draws_by_processor():
 		Engine.max_fps = _SOFTWARE_FPS
-	WindowFrame.follow(get_window())
+	WindowFrame.follow(self)
 	get_window().title = "Dismount"
 	if _screen == null:
 		_start.focus_first()

@@ -29,12 +29,15 @@ static func scale_for(p_size: Vector2, p_dpi: float) -> float:
 	return clampf(maxf(fit, density), _MIN_SCALE, _MAX_SCALE)
 
 
-## Lets a window's texts follow its size and its screen from now on.
-static func follow(p_window: Window) -> void:
-	var rescale: Callable = _rescale.bind(p_window)
-	if not p_window.size_changed.is_connected(rescale):
-		p_window.size_changed.connect(rescale)
-	_rescale(p_window)
+## Lets the texts of a node's window follow the window's size and its screen while the node is there.
+static func follow(p_node: Node) -> void:
+	var window: Window = p_node.get_window()
+	var rescale: Callable = _rescale.bind(window, p_node.get_instance_id())
+	if window.size_changed.is_connected(rescale):
+		return
+	window.size_changed.connect(rescale)
+	p_node.tree_exiting.connect(window.size_changed.disconnect.bind(rescale), CONNECT_ONE_SHOT)
+	rescale.call()
 
 
 ## Fills the screen, or goes back to a window.
@@ -50,6 +53,7 @@ static func is_full_screen(p_window: Window) -> bool:
 	return p_window.mode >= Window.MODE_FULLSCREEN
 
 
-static func _rescale(p_window: Window) -> void:
+# By the follower the callables of several are told apart.
+static func _rescale(p_window: Window, _p_follower: int) -> void:
 	var dpi: float = DisplayServer.screen_get_dpi(p_window.current_screen)
 	p_window.content_scale_factor = scale_for(p_window.size, dpi)

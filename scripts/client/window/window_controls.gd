@@ -45,7 +45,7 @@ func open(p_context: ClientContext) -> String:
 	context.menus.append(_menu.is_open)
 	if ClientContext.is_headless():
 		return ""
-	WindowFrame.follow(get_window())
+	WindowFrame.follow(self)
 	_set_up_quality(context.options.text("quality"))
 	get_window().title = WindowFrame.title(
 		context.role, context.options.text("name"), context.stream.describe()

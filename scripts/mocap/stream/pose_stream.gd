@@ -99,13 +99,7 @@ func take(p_bytes: PackedByteArray, p_sender: String, p_usec: int) -> void:
 			var arrival: int = sample.arrival_usec if sample.arrival_usec > 0 else p_usec
 			var wrong: String = person.take(sample, arrival)
 			fault = wrong if fault == "" else fault
-	if fault != "":
-		_refuse(p_sender, fault)
-	_mutex.lock()
-	if _spoken_usec.has(p_sender) or _spoken_usec.size() < MAX_SENDERS:
-		_spoken_usec[p_sender] = p_usec
-		_details[p_sender] = known
-	_mutex.unlock()
+	_note(p_sender, p_usec, known, fault)
 
 
 ## Goes on, in the main thread, each frame.
@@ -270,10 +264,15 @@ func _person(p_sample: StreamSample, p_sender: String) -> StreamPerson:
 	return person
 
 
-func _refuse(p_sender: String, p_why: String) -> void:
-	Log.limited("mocap", title() + p_sender, "%s from %s: %s" % [title(), p_sender, p_why])
+# In one go: what is wrong with a sender is forgotten with the sender, never without it.
+func _note(p_sender: String, p_usec: int, p_known: PackedStringArray, p_fault: String) -> void:
+	if p_fault != "":
+		Log.limited("mocap", title() + p_sender, "%s from %s: %s" % [title(), p_sender, p_fault])
 	_mutex.lock()
-	_refused += 1
+	_refused += 0 if p_fault == "" else 1
 	if _spoken_usec.has(p_sender) or _spoken_usec.size() < MAX_SENDERS:
-		_why[p_sender] = p_why
+		_spoken_usec[p_sender] = p_usec
+		_details[p_sender] = p_known
+		if p_fault != "":
+			_why[p_sender] = p_fault
 	_mutex.unlock()

@@ -2,6 +2,10 @@ extends TestCase
 ## The start screen by keyboard alone: everything can be reached, opened and left.
 
 
+func after_each() -> void:
+	get_window().content_scale_factor = 1.0
+
+
 func test_the_keyboard_reaches_every_choice() -> void:
 	var shell: AppShell = _open()
 	var seen: PackedStringArray = []

@@ -29,3 +29,20 @@ func test_texts_grow_with_the_density_of_the_screen_as_far_as_they_fit() -> void
 	almost_equal(WindowFrame.scale_for(Vector2(1280, 720), 120.0), 1.25)
 	almost_equal(WindowFrame.scale_for(Vector2(1280, 720), 300.0), 1.5)
 	almost_equal(WindowFrame.scale_for(Vector2(3840, 2160), 192.0), 3.0)
+
+
+func test_texts_follow_the_window_while_a_node_wants_it_alone() -> void:
+	var window: Window = Window.new()
+	var node: Node = Node.new()
+	window.size = Vector2i(1280, 720)
+	window.add_child(node)
+	add_child(window)
+	WindowFrame.follow(node)
+	window.size = Vector2i(2560, 1440)
+	await process_frames(1)
+	almost_equal(window.content_scale_factor, 2.0)
+	node.free()
+	window.size = Vector2i(1280, 720)
+	await process_frames(1)
+	almost_equal(window.content_scale_factor, 2.0, 1e-4, "nobody wants it any more")
+	window.free()
