@@ -29,7 +29,8 @@ static func scale_for(p_size: Vector2, p_dpi: float) -> float:
 	return clampf(maxf(fit, density), _MIN_SCALE, _MAX_SCALE)
 
 
-## Lets the texts of a node's window follow the window's size and its screen while the node is there.
+## Lets the texts of a node's window follow the window's size and its screen, while the node is
+## there.
 static func follow(p_node: Node) -> void:
 	var window: Window = p_node.get_window()
 	var rescale: Callable = _rescale.bind(window, p_node.get_instance_id())
@@ -53,7 +54,7 @@ static func is_full_screen(p_window: Window) -> bool:
 	return p_window.mode >= Window.MODE_FULLSCREEN
 
 
-# By the follower the callables of several are told apart.
+# The follower makes the callables of several differ.
 static func _rescale(p_window: Window, _p_follower: int) -> void:
 	var dpi: float = DisplayServer.screen_get_dpi(p_window.current_screen)
 	p_window.content_scale_factor = scale_for(p_window.size, dpi)
