@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import re
+import shutil
 import tempfile
 from collections import defaultdict
 from collections.abc import Iterable
@@ -14,7 +15,7 @@ from itertools import takewhile
 from .console import say, tail
 from .durations import keep_durations, read_durations
 from .godot import Godot
-from .paths import ROOT
+from .paths import BUILD, ROOT
 from .suites import Result
 
 # A test that hangs is ended by the runner itself; a busy machine takes five times as long.
@@ -69,8 +70,10 @@ class GDScriptSuite:
         # Verbose, the engine names what it finds left at its end.
         command = ["--verbose", "--fixed-fps", "60", "--path", str(ROOT)]
         command += ["-s", "res://tests/framework/test_runner.gd", "--", *options]
-        # Each has its own user://.
-        code, output = self.godot.call(command, LIMIT_S, home=f"test-home-{number}")
+        # Each has its own user://, empty as on a fresh machine.
+        home = f"test-home-{number}"
+        shutil.rmtree(BUILD / home / "data" / "godot" / "app_userdata", ignore_errors=True)
+        code, output = self.godot.call(command, LIMIT_S, home=home)
         output = NOISE.sub("", output)
         keep_durations(read_times(output))
         result = read_output(output)

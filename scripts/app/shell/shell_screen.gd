@@ -59,6 +59,13 @@ func _ready() -> void:
 	_fit()
 
 
+func _input(p_event: InputEvent) -> void:
+	# A text field would take the first Esc to end its own editing.
+	var field: LineEdit = get_viewport().gui_get_focus_owner() as LineEdit
+	if field != null and is_ancestor_of(field):
+		_unhandled_input(p_event)
+
+
 func _unhandled_input(p_event: InputEvent) -> void:
 	if is_visible_in_tree() and p_event.is_action_pressed(BACK):
 		get_viewport().set_input_as_handled()

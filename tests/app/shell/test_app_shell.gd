@@ -33,6 +33,19 @@ func test_each_screen_opens_and_esc_leads_back_to_its_choice() -> void:
 	shell.free()
 
 
+func test_esc_leads_back_from_a_text_that_is_being_written() -> void:
+	var shell: AppShell = _open()
+	shell.open(&"join")
+	for field: Node in shell.find_children("*", "LineEdit", true, false):
+		(field as LineEdit).grab_focus()
+		(field as LineEdit).edit()
+		break
+	is_true((get_viewport().gui_get_focus_owner() as LineEdit).is_editing())
+	await _press(KEY_ESCAPE)
+	equal(shell.find_children("*", "ShellScreen", true, false).size(), 0)
+	shell.free()
+
+
 func test_watching_and_instructing_are_joining_as_what_they_say() -> void:
 	var shell: AppShell = _open()
 	var roles: PackedStringArray = []
