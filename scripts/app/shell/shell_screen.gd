@@ -63,13 +63,11 @@ func _input(p_event: InputEvent) -> void:
 	# A text field would take the first Esc to end its own editing.
 	var field: LineEdit = get_viewport().gui_get_focus_owner() as LineEdit
 	if field != null and is_ancestor_of(field):
-		_unhandled_input(p_event)
+		_lead_back(p_event)
 
 
 func _unhandled_input(p_event: InputEvent) -> void:
-	if is_visible_in_tree() and p_event.is_action_pressed(BACK):
-		get_viewport().set_input_as_handled()
-		closed.emit()
+	_lead_back(p_event)
 
 
 ## Gives the keyboard to the control where a user begins. [AppShell] calls it when the screen opens.
@@ -95,6 +93,12 @@ func add_text(p_text: String = "", p_variation: StringName = &"") -> Label:
 	label.autowrap_mode = TextServer.AUTOWRAP_WORD_SMART
 	content.add_child(label)
 	return label
+
+
+func _lead_back(p_event: InputEvent) -> void:
+	if is_visible_in_tree() and p_event.is_action_pressed(BACK):
+		get_viewport().set_input_as_handled()
+		closed.emit()
 
 
 func _fit() -> void:

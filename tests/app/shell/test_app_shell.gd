@@ -37,9 +37,9 @@ func test_esc_leads_back_from_a_text_that_is_being_written() -> void:
 	var shell: AppShell = _open()
 	shell.open(&"join")
 	for field: Node in shell.find_children("*", "LineEdit", true, false):
-		(field as LineEdit).grab_focus()
-		(field as LineEdit).edit()
-		break
+		if (field as LineEdit).secret:
+			(field as LineEdit).grab_focus()
+			(field as LineEdit).edit()
 	is_true((get_viewport().gui_get_focus_owner() as LineEdit).is_editing())
 	await _press(KEY_ESCAPE)
 	equal(shell.find_children("*", "ShellScreen", true, false).size(), 0)
